@@ -4,8 +4,9 @@ use lanchester_balance::{Outcome, optimise};
 use lanchester_bondgraph::{Graph, SimulationRequest, drawing, equations, modelica};
 use lanchester_file::workshop::read_sheet;
 use lanchester_file::{EngineFile, expanded, read as read_text, render, templates};
-use lanchester_mechanism::{LoadError, LoadRequest, LoadSet, loads as loads_of};
+use lanchester_mechanism::{LoadError, LoadRequest, loads as loads_of};
 use lanchester_model::Engine;
+use lanchester_results::LoadSet;
 use lanchester_workshop::{correction, drilling, grade};
 
 /// Any bytes, read as an engine file: mistakes can be shown, and what is accepted survives its expanded form.

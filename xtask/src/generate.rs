@@ -2,6 +2,7 @@
 
 use crate::command::quiet;
 use crate::documents::file_of;
+use crate::tolerances;
 use crate::workspace::{Profile, program, root, scratch};
 use anyhow::{Context, Result, bail};
 use std::path::Path;
@@ -269,6 +270,7 @@ impl Written {
 
 /// Writes every file.
 pub fn write(profile: Profile) -> Result<()> {
+    tolerances::write()?;
     let program = program(profile)?;
     for written in &WRITTEN {
         std::fs::write(root().join(written.file), written.text(&program)?)?;

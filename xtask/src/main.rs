@@ -22,6 +22,7 @@ mod stress;
 mod supply;
 mod test_programs;
 mod tidy;
+mod tolerances;
 mod workspace;
 
 use anyhow::{Result, bail};

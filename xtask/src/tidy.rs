@@ -7,7 +7,7 @@ mod known;
 mod pages;
 mod sources;
 
-use crate::{generate, workspace};
+use crate::{generate, tolerances, workspace};
 use anyhow::{Result, bail};
 
 /// All rules, generated pages included.
@@ -25,6 +25,7 @@ pub fn sources() -> Result<String> {
     breaches.extend(folders::check(&files));
     breaches.extend(circles::check(&files)?);
     breaches.extend(pages::check(&files)?);
+    breaches.extend(tolerances::check().err().map(|error| error.to_string()));
     if !breaches.is_empty() {
         bail!("{} breaches of the rules\n{}", breaches.len(), breaches.join("\n"));
     }

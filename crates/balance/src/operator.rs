@@ -16,9 +16,10 @@ use crate::over_speed::places::SpeedPlaces;
 use crate::rounding::clear_rounding;
 use crate::wave::Wave;
 use lanchester_mechanism::{
-    Beam, BeamModel, Kinematics, LoadError, LoadRequest, MainOrders, Mechanism, OrderLoads, main_orders,
+    Beam, BeamModel, Kinematics, LoadError, LoadRequest, MainOrders, Mechanism, main_orders,
 };
 use lanchester_model::{Engine, Ratio};
+use lanchester_results::OrderLoads;
 use lanchester_task::{BalanceTask, Criterion, FreeInertia, Phase, Place, Seat, Statistic};
 use num_complex::Complex64;
 use std::rc::Rc;

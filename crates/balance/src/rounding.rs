@@ -9,8 +9,9 @@
 //! are left by loads which do not cancel keep all their digits, however small they are beside those that did.
 
 use crate::error::BalanceError;
-use lanchester_mechanism::{LoadRequest, Mechanism, OrderLoads, Selection};
+use lanchester_mechanism::{LoadRequest, Mechanism, Selection};
 use lanchester_model::{Engine, Ratio};
+use lanchester_results::OrderLoads;
 use num_complex::Complex64;
 
 /// Share of its own masses' loads below which a load of one order is rounding.

@@ -1,6 +1,7 @@
 //! Why there is no cycle.
 
-use lanchester_mechanism::{CurveError, LoadError};
+use lanchester_mechanism::LoadError;
+use lanchester_results::CurveError;
 
 /// Why there is no cycle.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]

@@ -6,8 +6,8 @@
 use crate::error::CycleError;
 use crate::pieces::Pieces;
 use crate::volume::CylinderVolume;
-use lanchester_mechanism::{End, PeriodicCurve};
 use lanchester_model::{Fuel, FuelSupply, GasCycle, GasProcess, HeatSplit, IdealHeat};
+use lanchester_results::{End, PeriodicCurve};
 use serde::Serialize;
 use std::f64::consts::TAU;
 

@@ -1,7 +1,8 @@
 //! What the gas does: indicated work by p dV, mean effective pressure, peaks, the p-V diagram.
 
 use crate::volume::CylinderVolume;
-use lanchester_mechanism::PeriodicCurve;
+use lanchester_numerics::GAUSS_8;
+use lanchester_results::PeriodicCurve;
 use serde::Serialize;
 use std::f64::consts::TAU;
 
@@ -77,7 +78,7 @@ pub fn work_between(pressure: &PeriodicCurve, volume: &CylinderVolume, from: f64
             for part in 0..count as u32 {
                 let step = (high - low) / count;
                 let middle = low + step * (f64::from(part) + 0.5);
-                for (x, weight) in GAUSS {
+                for (x, weight) in GAUSS_8 {
                     for psi in [middle - x * step, middle + x * step] {
                         let u = psi - start;
                         let value = a + u * (b + u * (c + u * d));
@@ -104,11 +105,3 @@ pub fn pressure_volume(pressure: &PeriodicCurve, volume: &CylinderVolume, count:
 
 /// Widest interval of the rule [rad].
 const WIDEST: f64 = 0.1;
-
-/// Gauss-Legendre rule of eight points on an interval of length 1: distances from the middle, weights.
-const GAUSS: [(f64, f64); 4] = [
-    (0.091_717_321_247_824_9, 0.181_341_891_689_181),
-    (0.262_766_204_958_164_5, 0.156_853_322_938_943_64),
-    (0.398_333_238_706_813_4, 0.111_190_517_226_687_24),
-    (0.480_144_928_248_768_1, 0.050_614_268_145_188_13),
-];

@@ -2,7 +2,7 @@
 //! the gas does there.
 //!
 //! Angles `psi` [rad] are those through which the cylinder's own crankshaft has turned since its firing top dead centre, in
-//! the sense of rotation; pressures are absolute. Curves are [`PeriodicCurve`](lanchester_mechanism::PeriodicCurve)s over them.
+//! the sense of rotation; pressures are absolute. Curves are [`PeriodicCurve`](lanchester_results::PeriodicCurve)s over them.
 #![forbid(unsafe_code)]
 
 mod error;

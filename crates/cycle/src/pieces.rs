@@ -1,7 +1,7 @@
 //! Smooth functions as cubic pieces, as fine as a bound on their error asks for.
 
 use crate::error::CycleError;
-use lanchester_mechanism::{End, PeriodicCurve};
+use lanchester_results::{End, PeriodicCurve};
 
 /// Largest error of a piece at its middle, over its value.
 const ERROR: f64 = 1e-11;

@@ -15,7 +15,7 @@ pub use torque::{MOST_HARMONICS, read_torque};
 
 use closing::{Closed, closed};
 use column::check_pressures;
-use lanchester_mechanism::PeriodicCurve;
+use lanchester_results::PeriodicCurve;
 use serde::Serialize;
 
 /// A file of pressures as curves.
@@ -72,11 +72,11 @@ pub fn read_trace(text: &str, options: &TraceOptions) -> Result<MeasuredTrace, T
 /// `measured` holds speed [rad/s] and curve, rising in speed, at least one; a speed of `None` stands for all speeds.
 ///
 /// # Errors
-/// [`CurveError`](lanchester_mechanism::CurveError) where there is none, or periods differ.
+/// [`CurveError`](lanchester_results::CurveError) where there is none, or periods differ.
 pub fn at_speed(
     measured: &[(Option<f64>, &PeriodicCurve)],
     speed: f64,
-) -> Result<(PeriodicCurve, bool), lanchester_mechanism::CurveError> {
+) -> Result<(PeriodicCurve, bool), lanchester_results::CurveError> {
     let above = measured.iter().position(|(own, _)| own.is_none_or(|own| own >= speed));
     let weights: Vec<(f64, &PeriodicCurve)> = match above {
         None => measured.last().map(|(_, curve)| (1.0, *curve)).into_iter().collect(),

@@ -9,7 +9,8 @@
 use crate::grid::FilmGrid;
 use crate::plane::{Plane, add, cross, dot, quarter};
 use crate::problem::{Feed, FilmProblem};
-use std::f64::consts::{PI, TAU};
+use lanchester_numerics::about_zero;
+use std::f64::consts::TAU;
 
 /// Cells at one instant, index i m + j. Buffers are kept.
 #[derive(Debug, Clone, Default)]
@@ -122,7 +123,7 @@ impl Cells {
         self.any_fixed = !problem.feeds.is_empty();
         let (radius, half) = (problem.bearing.radius, 0.5 * problem.bearing.length);
         let unit = problem.bearing.pressure_scale(problem.viscosity);
-        let turn = |from: f64, to: f64| (to - from + PI).rem_euclid(TAU) - PI;
+        let turn = |from: f64, to: f64| about_zero(to - from, TAU);
         let column = |angle: f64| {
             (0..n)
                 .find(|&i| (angle - grid.faces[i]).rem_euclid(TAU) < grid.faces[i + 1] - grid.faces[i])

@@ -15,12 +15,15 @@ use crate::grid::FilmGrid;
 use crate::plane::{Plane, direction, dot, length, quarter};
 use crate::problem::FilmProblem;
 use crate::solver::FilmSolver;
+use lanchester_numerics::illinois;
 use std::f64::consts::{PI, TAU};
 
 /// Nodes of x and of g, and the largest tabulated eccentricity: 1 - exp(-LAST).
 const ROWS: usize = 57;
 const COLUMNS: usize = 96;
 const LAST: f64 = 7.0;
+/// Miss of an angle [rad], or of a dimensionless force, that counts as none.
+const SETTLED: f64 = 1e-13;
 /// Cells of the films behind a table.
 const AROUND: usize = 120;
 const AXIAL: usize = 12;
@@ -260,7 +263,7 @@ impl FilmTable {
                 return self.scan(x, wanted, amount, d, along, across);
             }
         }
-        let g = root(low, high, at_low, at_high, angle_left);
+        let g = illinois(low, at_low, high, at_high, SETTLED, angle_left);
         Ok(self.velocity_at(x, g, amount, d, along, across))
     }
 
@@ -284,7 +287,7 @@ impl FilmTable {
             let (low, high) = (TAU * k as f64 / steps as f64, TAU * (k + 1) as f64 / steps as f64);
             let now = left(high);
             if before * now <= 0.0 && (before - now).abs() < PI {
-                let g = root(low, high, before, now, left);
+                let g = illinois(low, before, high, now, SETTLED, left);
                 return Ok(self.velocity_at(x, g, amount, d, along, across));
             }
             if now.abs() < best.0 {
@@ -301,28 +304,6 @@ impl FilmTable {
         let (vr, vt) = (speed * g.cos(), speed * g.sin() / d);
         [0, 1].map(|k| vr * along[k] + vt * across[k])
     }
-}
-
-/// Zero of a rising or falling function between two places of opposite sign (Illinois).
-fn root(mut low: f64, mut high: f64, mut at_low: f64, mut at_high: f64, f: impl Fn(f64) -> f64) -> f64 {
-    let mut place = low;
-    for _ in 0..60 {
-        if at_low == at_high {
-            break;
-        }
-        place = high - at_high * (high - low) / (at_high - at_low);
-        let value = f(place);
-        if value.abs() < 1e-13 || (high - low).abs() < 1e-14 {
-            break;
-        }
-        if value * at_high < 0.0 {
-            (low, at_low) = (high, at_high);
-        } else {
-            at_low *= 0.5;
-        }
-        (high, at_high) = (place, value);
-    }
-    place
 }
 
 fn step_x() -> f64 {

@@ -1,8 +1,8 @@
 //! How long the best counterweight, its proof and a front take, on one thread: the ranges of the tool paper's table 3.
 use criterion::{Criterion, criterion_group, criterion_main};
 use lanchester_geometry::{
-    DesignLimits, DesignTask, Objective, Range, ShaftWeightAim, ShaftWeightTask, Shoulder, best_shaft_weight,
-    design, front,
+    DesignLimits, DesignSettings, DesignTask, Objective, Range, ShaftWeightAim, ShaftWeightTask, Shoulder,
+    best_shaft_weight, design, front,
 };
 use std::hint::black_box;
 
@@ -20,6 +20,7 @@ fn task() -> DesignTask {
         arc_angle: Range::new(0.79, 3.13),
         thickness: Range::new(0.005, 0.03),
         limits: DesignLimits { swept_radius: Some(0.075), ..DesignLimits::default() },
+        settings: DesignSettings::default(),
     }
 }
 

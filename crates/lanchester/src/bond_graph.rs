@@ -8,14 +8,13 @@ use lanchester_bondgraph::{
     Curve, Description, EngineBlock, EngineDrive, EngineGraphError, EngineJoints, EngineLink, EngineLoad,
     EngineRequest, EngineStarter, GasStates, LoadTorque, Unit, engine_graph,
 };
-use lanchester_mechanism::{
-    CylinderGas, GasTrain, Lever, LoadError, PeriodicCurve, TorqueError, TorqueRequest, torque,
-};
+use lanchester_mechanism::{CylinderGas, GasTrain, Lever, LoadError, TorqueError, TorqueRequest, torque};
 use lanchester_model::{
     Action, BlockKind, Engine, ImposedAgainst, LoadLaw, ReactsOn, RunLength, SimulationInput, SpeedKind,
     StartOfBlock,
 };
 use lanchester_multibody::STANDARD_GRAVITY;
+use lanchester_results::PeriodicCurve;
 use std::f64::consts::{PI, TAU};
 
 /// What the graph of an engine file is to hold; the rest follows from the engine.

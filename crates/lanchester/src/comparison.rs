@@ -14,11 +14,12 @@ use lanchester_balance::{
 use lanchester_file::EngineFile;
 use lanchester_literature::{ArrangementOptions, TwinArrangement, arranged};
 use lanchester_mechanism::{
-    CylinderGas, GasTrain, Lever, LoadError, LoadRequest, MountError, MountSystem, OrderLoads, OuterTorque,
+    CylinderGas, GasTrain, Lever, LoadError, LoadRequest, MountError, MountSystem, OuterTorque,
     SpeedResponse, Torque, TorqueError, TorqueRequest, firing_chart, flywheel_need, inertia_excitations,
     merged_orders, motion, rotor_inertia_about_z, torque, total_loads,
 };
 use lanchester_model::{Engine, EngineParts, Fault, Mount, SpeedRange};
+use lanchester_results::OrderLoads;
 use lanchester_study::compare::{
     COMPARISON_VERSION, Compared, ComparedTorque, Comparison, Criterion, Equal, Held, Leading, Ranking,
     Similar, SimilarError,

@@ -5,10 +5,11 @@ use crate::pressure::cylinders::cylinder_gas;
 use crate::pressure::error::GasError;
 use crate::pressure::measured::TraceFile;
 use lanchester_mechanism::{
-    GasTrain, Lever, MountError, MountRequest, MountStudy, MountSystem, OrderLoads, TorqueError,
-    inertia_excitations, merged_orders, mount_study, rotor_inertia_about_z,
+    GasTrain, Lever, MountError, MountRequest, MountStudy, MountSystem, TorqueError, inertia_excitations,
+    merged_orders, mount_study, rotor_inertia_about_z,
 };
 use lanchester_model::{Engine, Gas, GasProcess, GasSource};
+use lanchester_results::OrderLoads;
 
 /// Speeds of [`mounts`].
 #[derive(Debug, Clone, PartialEq)]

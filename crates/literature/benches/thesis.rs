@@ -4,8 +4,9 @@ use criterion::{Criterion, criterion_group, criterion_main};
 use lanchester_balance::{Answer, optimise_with};
 use lanchester_file::read;
 use lanchester_literature::{ArrangementOptions, TwinArrangement, arranged, arrangement_task, crank_task};
-use lanchester_mechanism::{LoadRequest, LoadSet, PeakMode, total_loads};
+use lanchester_mechanism::{LoadRequest, PeakMode, total_loads};
 use lanchester_model::Engine;
+use lanchester_results::LoadSet;
 use std::hint::black_box;
 
 const FILES: [&str; 5] = [

@@ -24,8 +24,9 @@
 
 use crate::crank_sweep::{CrankLoad, CrankSweep, SweepOptions, sweep};
 use lanchester_balance::BalanceError;
-use lanchester_mechanism::{Kinematics, LoadRequest, Mechanism, OrderLoads, Part, Selection};
+use lanchester_mechanism::{Kinematics, LoadRequest, Mechanism, Part, Selection};
 use lanchester_model::{BalanceShaft, Counterweight, Engine, Ratio, ShaftWeight};
+use lanchester_results::OrderLoads;
 use num_complex::Complex64;
 use serde::Serialize;
 

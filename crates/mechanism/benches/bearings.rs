@@ -3,6 +3,7 @@ use criterion::{Criterion, criterion_group, criterion_main};
 use lanchester_file::{read, template};
 use lanchester_mechanism::*;
 use lanchester_model::Engine;
+use lanchester_results::PeriodicCurve;
 use std::f64::consts::TAU;
 use std::hint::black_box;
 

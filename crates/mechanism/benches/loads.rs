@@ -1,7 +1,8 @@
 //! How long loads take: orders and the exact trace of an in-line four and a V12 in which nothing is shared.
 use criterion::{Criterion, criterion_group, criterion_main};
-use lanchester_mechanism::{LoadRequest, Mechanism, Trace, loads};
+use lanchester_mechanism::{LoadRequest, Mechanism, loads};
 use lanchester_model::*;
+use lanchester_results::Trace;
 use std::hint::black_box;
 
 /// An engine of which every cylinder has its own rod, masses and offset.

@@ -1,8 +1,9 @@
 //! How long the block on its mounts takes: four mounts, 200 speeds, 12 orders.
 use criterion::{Criterion, criterion_group, criterion_main};
 use lanchester_file::{read, template};
-use lanchester_mechanism::{Excitation, MountSystem, OrderLoads};
+use lanchester_mechanism::{Excitation, MountSystem};
 use lanchester_model::*;
+use lanchester_results::OrderLoads;
 use num_complex::Complex64;
 use std::hint::black_box;
 

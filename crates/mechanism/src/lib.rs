@@ -17,7 +17,6 @@ mod train;
 mod wording;
 
 pub use bearings::*;
-pub use curves::*;
 pub use inertia::*;
 pub use mounts::*;
 pub use speed::*;

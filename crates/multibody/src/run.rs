@@ -3,6 +3,7 @@
 //! Over the angle the kinks of the pressures lie at known places, and steps end there. Over time they are located, as is every halt of the crank.
 
 pub(crate) mod audit;
+mod block_loads;
 pub(crate) mod check;
 pub(crate) mod equilibrium;
 mod kept;

@@ -22,6 +22,7 @@
 //! ```
 #![forbid(unsafe_code)]
 
+mod angle;
 mod control;
 mod dense;
 mod dop853;
@@ -29,24 +30,35 @@ mod dop853_table;
 mod esdirk;
 mod event;
 mod golden;
+mod interval;
+mod jet;
+mod lanes;
 mod outcome;
+mod quadrature;
 mod radau;
 mod radau_table;
 mod root;
 mod settings;
+mod simplex;
 mod stages;
 mod step;
 mod symmetric;
 mod system;
 
+pub use angle::{about_zero, within_period};
 pub use dense::{ComplexLu, Lu};
 pub use dop853::Dop853;
 pub use esdirk::{Esdirk, StageSystem};
 pub use golden::golden_section;
+pub use interval::Interval;
+pub use jet::{Jet, Ring};
+pub use lanes::{ComplexLanes, LANES, Lanes};
 pub use outcome::{Outcome, Statistics};
+pub use quadrature::{GAUSS_2, GAUSS_4, GAUSS_8, GAUSS_16, GaussPair, gauss, unit_points};
 pub use radau::Radau5;
-pub use root::{Root, bisect};
+pub use root::{Root, bisect, illinois, last_holding};
 pub use settings::{SampleGrid, Settings};
+pub use simplex::{Simplex, SimplexEnd, SimplexRow};
 pub use step::Step;
 pub use symmetric::SymmetricEigen;
 pub use system::{Function, System};

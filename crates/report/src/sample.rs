@@ -3,6 +3,7 @@
 
 use lanchester_mechanism::*;
 use lanchester_model::*;
+use lanchester_results::{Extreme, Extremes, LoadSet, OrderLoads, Peaks, Trace};
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 

@@ -16,6 +16,7 @@ use crate::edge::Edge;
 use crate::mass_properties::MassMoments;
 use crate::outline::Outline;
 use crate::point::Point;
+use lanchester_numerics::{GAUSS_16, illinois, unit_points};
 use serde::{Deserialize, Serialize};
 
 /// How a chamfer is made.
@@ -104,7 +105,7 @@ impl Chamfer {
         let mut bounds = vec![0.0];
         // On at most half a turn the distance has at most one extreme inside.
         if grows(0.0) * grows(1.0) < 0.0 {
-            bounds.push(root(grows, 0.0, 1.0));
+            bounds.push(zero(grows, 0.0, 1.0));
         }
         bounds.push(1.0);
         let mut pieces = Vec::new();
@@ -112,8 +113,8 @@ impl Chamfer {
             let (a, b) = (pair[0], pair[1]);
             match (beyond(a) > 0.0, beyond(b) > 0.0) {
                 (true, true) => pieces.push((a, b)),
-                (true, false) => pieces.push((a, root(beyond, a, b))),
-                (false, true) => pieces.push((root(beyond, a, b), b)),
+                (true, false) => pieces.push((a, zero(beyond, a, b))),
+                (false, true) => pieces.push((zero(beyond, a, b), b)),
                 (false, false) => {}
             }
         }
@@ -146,10 +147,10 @@ impl Chamfer {
                 let count = shortness.max(2.0 * turn).max(1.0).ceil();
                 let step = (to - from) / count;
                 for piece in 0..count as usize {
-                    let middle = from + (piece as f64 + 0.5) * step;
-                    for (node, weight) in SIXTEEN.iter().flat_map(|(x, w)| [(*x, *w), (-x, *w)]) {
-                        let (point, along) = edge.at(middle + 0.5 * step * node);
-                        sum = sum + self.column(point, along * (0.5 * step * weight));
+                    let start = from + piece as f64 * step;
+                    for (place, weight) in unit_points(&GAUSS_16) {
+                        let (point, along) = edge.at(start + step * place);
+                        sum = sum + self.column(point, along * (step * weight));
                     }
                 }
             }
@@ -208,28 +209,11 @@ impl Chamfer {
     }
 }
 
-/// Root of a function that changes its sign between `a` and `b`, by halving.
-fn root(f: impl Fn(f64) -> f64, mut a: f64, mut b: f64) -> f64 {
-    let positive = f(a) > 0.0;
-    for _ in 0..60 {
-        let middle = (a + b) / 2.0;
-        if (f(middle) > 0.0) == positive { a = middle } else { b = middle }
-    }
-    (a + b) / 2.0
+/// Zero of a function that changes its sign between `a` and `b`.
+fn zero(f: impl Fn(f64) -> f64, a: f64, b: f64) -> f64 {
+    illinois(a, f(a), b, f(b), 0.0, f)
 }
 
-/// Gauss points and weights on [-1, 1], exact to degree five.
+/// Gauss's rule of three points on [-1, 1], exact to degree five.
 const THREE: [(f64, f64); 3] =
     [(-0.774_596_669_241_483_4, 5.0 / 9.0), (0.0, 8.0 / 9.0), (0.774_596_669_241_483_4, 5.0 / 9.0)];
-
-/// The positive half of sixteen Gauss points with their weights (Abramowitz and Stegun, table 25.4).
-const SIXTEEN: [(f64, f64); 8] = [
-    (0.095_012_509_837_637_44, 0.189_450_610_455_068_5),
-    (0.281_603_550_779_258_9, 0.182_603_415_044_923_6),
-    (0.458_016_777_657_227_4, 0.169_156_519_395_002_54),
-    (0.617_876_244_402_643_7, 0.149_595_988_816_576_73),
-    (0.755_404_408_355_003, 0.124_628_971_255_533_87),
-    (0.865_631_202_387_831_7, 0.095_158_511_682_492_78),
-    (0.944_575_023_073_232_6, 0.062_253_523_938_647_89),
-    (0.989_400_934_991_649_9, 0.027_152_459_411_754_095),
-];

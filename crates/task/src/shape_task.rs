@@ -90,6 +90,48 @@ pub struct ShapeTask {
     pub thickness: Range,
     /// Limits.
     pub limits: DesignLimits,
+    /// How far the proof goes.
+    #[serde(default)]
+    pub settings: DesignSettings,
+}
+
+/// How far the proof of a best shape goes: branch and bound over boxes of shapes.
+///
+/// A wider gap ends it earlier, more boxes let a search that stopped go on.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
+pub struct DesignSettings {
+    /// No shape is better than the one found by more than this share of what is made small: 1e-6 to 0.5.
+    pub gap: f64,
+    /// Most boxes examined for one optimum, 1 or more; where they do not do, the result says that it is not proved.
+    pub max_boxes: usize,
+}
+
+impl DesignSettings {
+    /// The gap where none is asked for, and the smallest that may be.
+    pub const PROVED_GAP: f64 = 1e-6;
+
+    /// Refuses what is outside its range.
+    ///
+    /// # Errors
+    /// [`GeometryError::Number`].
+    pub fn check(&self) -> Result<(), GeometryError> {
+        let refuse = |quantity, needed, got, hint| Err(GeometryError::Number { quantity, needed, got, hint });
+        if !(Self::PROVED_GAP..=0.5).contains(&self.gap) {
+            let hint = "the proof works with rounding of about 1e-12 of the scaled formulas";
+            return refuse("gap of the proof", "from 1e-6 to 0.5 of the value", self.gap, hint);
+        }
+        if self.max_boxes == 0 {
+            let hint = "some hundred to some ten thousand are usual";
+            return refuse("largest number of boxes of the proof", "1 or more", 0.0, hint);
+        }
+        Ok(())
+    }
+}
+
+impl Default for DesignSettings {
+    fn default() -> DesignSettings {
+        DesignSettings { gap: Self::PROVED_GAP, max_boxes: 200_000 }
+    }
 }
 
 /// A number of a [`ShapeTask`] that has no meaning.

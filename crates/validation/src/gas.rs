@@ -15,7 +15,7 @@
 
 use crate::case::Run;
 use crate::gas_run::GasRun;
-use lanchester::mechanism::Extreme;
+use lanchester::results::Extreme;
 use std::f64::consts::PI;
 
 /// A quantity of the gas.

@@ -2,9 +2,10 @@
 
 use crate::files::TRACES;
 use lanchester::mechanism::{
-    BearingLoads, BearingRequest, Extreme, Kinematics, Lever, Torque, TorqueRequest, bearing_loads, torque,
+    BearingLoads, BearingRequest, Kinematics, Lever, Torque, TorqueRequest, bearing_loads, torque,
 };
 use lanchester::model::Engine;
+use lanchester::results::Extreme;
 use lanchester::{TraceFile, cylinder_gas};
 use std::f64::consts::TAU;
 

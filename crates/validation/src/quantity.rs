@@ -28,8 +28,9 @@ use crate::stress::{StressKey, StressRun};
 use crate::torsion::TorsionKey;
 use crate::value::Value;
 use crate::workshop::WorkshopKey;
-use lanchester::mechanism::{Extremes, LoadSet, Part};
+use lanchester::mechanism::Part;
 use lanchester::model::Engine;
+use lanchester::results::{Extremes, LoadSet};
 use num_complex::Complex64;
 
 /// A quantity of a run.

@@ -6,10 +6,10 @@ use serde_json::Value;
 /// exist: a new room needs a decision record and a line.
 const ARROWS: [(&str, &[&str]); 31] = [
     ("lanchester-numerics", &[]),
-    ("lanchester-shape", &[]),
+    ("lanchester-shape", &["lanchester-numerics"]),
     ("lanchester-units", &[]),
     ("lanchester-diagnostic", &[]),
-    ("lanchester-results", &["lanchester-units"]),
+    ("lanchester-results", &["lanchester-numerics", "lanchester-units"]),
     ("lanchester-model", &["lanchester-shape"]),
     ("lanchester-task", &["lanchester-model", "lanchester-results", "lanchester-shape", "lanchester-units"]),
     (
@@ -20,22 +20,47 @@ const ARROWS: [(&str, &[&str]); 31] = [
             "lanchester-shape",
             "lanchester-units",
             "lanchester-diagnostic",
+            "lanchester-numerics",
         ],
     ),
-    ("lanchester-mechanism", &["lanchester-model", "lanchester-numerics"]),
-    ("lanchester-bondgraph", &["lanchester-diagnostic", "lanchester-model", "lanchester-numerics"]),
+    ("lanchester-mechanism", &["lanchester-model", "lanchester-results", "lanchester-numerics"]),
+    (
+        "lanchester-bondgraph",
+        &["lanchester-diagnostic", "lanchester-model", "lanchester-results", "lanchester-numerics"],
+    ),
     (
         "lanchester-cycle",
-        &["lanchester-model", "lanchester-units", "lanchester-mechanism", "lanchester-numerics"],
+        &[
+            "lanchester-model",
+            "lanchester-results",
+            "lanchester-units",
+            "lanchester-mechanism",
+            "lanchester-numerics",
+        ],
     ),
-    ("lanchester-geometry", &["lanchester-model", "lanchester-task", "lanchester-shape"]),
+    (
+        "lanchester-geometry",
+        &["lanchester-model", "lanchester-task", "lanchester-shape", "lanchester-numerics"],
+    ),
     (
         "lanchester-balance",
-        &["lanchester-model", "lanchester-task", "lanchester-mechanism", "lanchester-numerics"],
+        &[
+            "lanchester-model",
+            "lanchester-results",
+            "lanchester-task",
+            "lanchester-mechanism",
+            "lanchester-numerics",
+        ],
     ),
     (
         "lanchester-literature",
-        &["lanchester-model", "lanchester-task", "lanchester-mechanism", "lanchester-balance"],
+        &[
+            "lanchester-model",
+            "lanchester-results",
+            "lanchester-task",
+            "lanchester-mechanism",
+            "lanchester-balance",
+        ],
     ),
     (
         "lanchester-workshop",
@@ -43,9 +68,15 @@ const ARROWS: [(&str, &[&str]); 31] = [
     ),
     (
         "lanchester-study",
-        &["lanchester-model", "lanchester-results", "lanchester-task", "lanchester-mechanism"],
+        &[
+            "lanchester-model",
+            "lanchester-results",
+            "lanchester-task",
+            "lanchester-mechanism",
+            "lanchester-numerics",
+        ],
     ),
-    ("lanchester-multibody", &["lanchester-model", "lanchester-numerics"]),
+    ("lanchester-multibody", &["lanchester-model", "lanchester-results", "lanchester-numerics"]),
     ("lanchester-film", &["lanchester-numerics"]),
     (
         "lanchester-flex",
@@ -64,6 +95,7 @@ const ARROWS: [(&str, &[&str]); 31] = [
         "lanchester-report",
         &[
             "lanchester-model",
+            "lanchester-results",
             "lanchester-task",
             "lanchester-mechanism",
             "lanchester-bondgraph",
@@ -83,6 +115,7 @@ const ARROWS: [(&str, &[&str]); 31] = [
         "lanchester",
         &[
             "lanchester-model",
+            "lanchester-numerics",
             "lanchester-task",
             "lanchester-file",
             "lanchester-units",

@@ -1,8 +1,9 @@
 //! Peaks of what is left, straight from the loads of the engine with its new parts: no use is made of the optimum.
 
 use crate::BalanceError;
-use lanchester_mechanism::{Components, LoadRequest, Mechanism, Trace};
+use lanchester_mechanism::{LoadRequest, Mechanism};
 use lanchester_model::Engine;
+use lanchester_results::{Components, Trace};
 
 /// Angles in a revolution between which a peak is looked for.
 const SCAN: usize = 360;

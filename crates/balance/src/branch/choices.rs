@@ -1,7 +1,8 @@
 //! Boxes of choices: which devices are used, in what stretch each stands, in what sector its phase lies.
 
+use lanchester_numerics::about_zero;
 use lanchester_task::{BalanceTask, Phase, Place, Seat};
-use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI, TAU};
 
 /// Stretches shorter than this are one place [m].
 pub(super) const ONE_PLACE: f64 = 1e-12;
@@ -497,7 +498,7 @@ impl Heading {
             Heading::Any => (0..4).map(|k| sector(f64::from(k) * FRAC_PI_2 - FRAC_PI_4, FRAC_PI_2)).collect(),
             Heading::Sector { start, width } => {
                 let middle = start + 0.5 * width;
-                let past = (looked.angle - middle + PI).rem_euclid(2.0 * PI) - PI;
+                let past = about_zero(looked.angle - middle, TAU);
                 let at = 0.5 * width + past;
                 if narrow(width) && at > -after && at < width + before {
                     let ends = [at - before, at + after].map(|end| end.clamp(0.0, width));
@@ -530,7 +531,7 @@ impl Heading {
                 }
             }
             Heading::Sector { start, width } => {
-                let past = (angle - start - 0.5 * width + PI).rem_euclid(2.0 * PI) - PI;
+                let past = about_zero(angle - start - 0.5 * width, TAU);
                 start + 0.5 * width + past.clamp(-0.5 * width, 0.5 * width)
             }
         }

@@ -6,6 +6,7 @@ use crate::graph::{Element, Kind, Law};
 use crate::run::audit::{Audit, audit};
 use crate::run::compiled::Compiled;
 use lanchester_numerics::{Dop853, Outcome, Radau5, SampleGrid, Settings, Statistics, Step};
+use lanchester_results::{Series, values_of};
 use serde::Serialize;
 use std::collections::HashMap;
 use std::ops::ControlFlow;
@@ -83,17 +84,6 @@ pub struct Simulation {
     pub operations: usize,
 }
 
-/// One quantity over time.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Series {
-    /// Its name: `crank.momentum`.
-    pub name: String,
-    /// Its unit.
-    pub unit: String,
-    /// Its values.
-    pub values: Vec<f64>,
-}
-
 /// A condition that switched.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Event {
@@ -122,7 +112,7 @@ struct Pass {
 impl Simulation {
     /// Values of a quantity at the samples: `crank.flow`, `block_x.momentum`.
     pub fn values(&self, name: &str) -> Option<&[f64]> {
-        self.series.iter().find(|series| series.name == name).map(|series| series.values.as_slice())
+        values_of(&self.series, name)
     }
 }
 

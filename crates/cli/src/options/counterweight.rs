@@ -93,16 +93,26 @@ pub struct ShapeArguments {
     /// Density, in place of the file's: `7850 kg/m3`.
     #[arg(long, value_name = "DENSITY")]
     pub density: Option<String>,
+    /// The proof ends where no shape can be better by more than this share of the value: `1e-6` to `50 %`. Default: 1e-6.
+    #[arg(long, value_name = "SHARE")]
+    pub gap: Option<String>,
+    /// Most boxes of shapes that the proof of one optimum examines; then the best so far is printed as not proved. Default: 200000.
+    #[arg(long, value_name = "N")]
+    pub max_boxes: Option<usize>,
 }
 
 impl ShapeArguments {
     /// Whether any option says something of shapes or duties.
     pub fn has_options(&self) -> bool {
-        let ShapeArguments { unbalance, minimise, balance, dimension, limit, density, .. } = self;
+        let ShapeArguments {
+            unbalance, minimise, balance, dimension, limit, density, gap, max_boxes, ..
+        } = self;
         unbalance.is_some()
             || minimise.is_some()
             || balance.is_some()
             || density.is_some()
+            || gap.is_some()
+            || max_boxes.is_some()
             || !(dimension.is_empty() && limit.is_empty())
     }
 }

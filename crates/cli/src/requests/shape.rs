@@ -4,7 +4,7 @@ use crate::failure::Failure;
 use crate::options::counterweight::ShapeArguments;
 use lanchester::CounterweightRequest;
 use lanchester::file::EngineFile;
-use lanchester::geometry::{DesignLimits, Objective, Range, ShapeTask, Shoulder};
+use lanchester::geometry::{DesignLimits, DesignSettings, Objective, Range, ShapeTask, Shoulder};
 use lanchester::task::option::{self, BadQuantity};
 
 /// A dimension of a shape, and how its values are read.
@@ -107,6 +107,7 @@ fn shape_task(file: &EngineFile, arguments: &ShapeArguments) -> Result<ShapeTask
         arc_angle,
         thickness,
         limits: of_file.map(|task| task.limits).unwrap_or_default(),
+        settings: settings(arguments)?,
     };
     if let Some(text) = &arguments.balance {
         let Range { least, most } = range(text, option::share, "--balance")?;
@@ -118,6 +119,18 @@ fn shape_task(file: &EngineFile, arguments: &ShapeArguments) -> Result<ShapeTask
         limit(&mut task.limits, name, value)?;
     }
     Ok(task)
+}
+
+/// How far the proof goes.
+fn settings(arguments: &ShapeArguments) -> Result<DesignSettings, Failure> {
+    let usual = DesignSettings::default();
+    let gap = arguments.gap.as_ref().map(|text| option::share(text, "--gap")).transpose()?;
+    let settings = DesignSettings {
+        gap: gap.unwrap_or(usual.gap),
+        max_boxes: arguments.max_boxes.unwrap_or(usual.max_boxes),
+    };
+    settings.check().map_err(Failure::refused)?;
+    Ok(settings)
 }
 
 fn incomplete(missing: &[&str]) -> Failure {

@@ -1,6 +1,6 @@
 //! What can be wrong with a file of pressures or of a torque.
 
-use lanchester_mechanism::CurveError;
+use lanchester_results::CurveError;
 
 /// Why a file of pressures is refused.
 #[derive(Debug, Clone, PartialEq)]

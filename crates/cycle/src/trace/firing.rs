@@ -3,7 +3,7 @@
 use super::fault::TraceFault;
 use crate::indicated::indicated;
 use crate::volume::CylinderVolume;
-use lanchester_mechanism::PeriodicCurve;
+use lanchester_results::PeriodicCurve;
 use std::f64::consts::TAU;
 
 /// Where the peak lies in any engine, from motored ones to late heat release [deg].

@@ -4,8 +4,8 @@ use super::closing::{Closed, closed};
 use super::column::{SAME, check_angles};
 use super::fault::{TraceError, TraceFault};
 use super::table::{self, Holds};
-use lanchester_mechanism::PeriodicCurve;
 use lanchester_model::{TorqueCurve, TorqueOrder};
+use lanchester_results::PeriodicCurve;
 use std::f64::consts::TAU;
 
 /// Most harmonics of the period that are kept.

@@ -9,8 +9,8 @@ use super::walls::{Phase, Reference, WallLosses};
 use crate::error::CycleError;
 use crate::ideal::released;
 use crate::volume::CylinderVolume;
-use lanchester_mechanism::{End, PeriodicCurve};
 use lanchester_model::{GasCycle, SingleZone, WallModel};
+use lanchester_results::{End, PeriodicCurve};
 use std::f64::consts::PI;
 
 /// How exactly a cycle is computed.

@@ -1,7 +1,7 @@
 //! What a computed cycle gives.
 
 use super::state::{Contents, ThroughFlow};
-use lanchester_mechanism::PeriodicCurve;
+use lanchester_results::PeriodicCurve;
 use serde::Serialize;
 
 /// A cycle of one cylinder by single-zone filling and emptying.

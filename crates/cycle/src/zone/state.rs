@@ -2,9 +2,10 @@
 
 use super::flow::FlowGas;
 use crate::error::CycleError;
-use differential_equations::prelude::{ExplicitRungeKutta, IVP, ODE};
 use lanchester_model::Reservoir;
+use lanchester_numerics::{Dop853, Function, Outcome, Settings};
 use serde::Serialize;
+use std::ops::ControlFlow;
 
 /// What is integrated, each over its scale: pressure, mass, fresh mass; then since the start: work, heat to the walls, heat released, mass in from the
 /// intake and from the exhaust, enthalpy in from each, fresh mass in through the intake.
@@ -159,54 +160,49 @@ impl<F: Fn(f64, Contents) -> Chamber> Zone<F> {
     pub(crate) fn run(
         &self,
         [from, to]: [f64; 2],
-        state: State,
+        mut state: State,
         points: &[f64],
         tolerance: f64,
     ) -> Result<(State, Vec<State>), CycleError> {
-        let method = ExplicitRungeKutta::dop853().rtol(tolerance).atol(tolerance).max_steps(MOST_STEPS);
-        let failed = |error: &dyn std::fmt::Debug| CycleError::Integration {
-            angle: from.to_degrees(),
-            reason: format!("{error:?}").chars().take_while(|c| c.is_alphanumeric()).collect(),
+        let mut system = Function::new(state.len(), |psi, state: &[f64], rates: &mut [f64]| {
+            rates.copy_from_slice(&self.rates(psi, &std::array::from_fn(|k| state[k])));
+        });
+        let settings = Settings {
+            dense: !points.is_empty(),
+            most_evaluations: MOST_EVALUATIONS,
+            ..Settings::uniform(state.len(), tolerance)
         };
-        if points.is_empty() {
-            let solution =
-                IVP::ode(self, from, to, state).method(method).solve().map_err(|error| failed(&error))?;
-            let end = solution.y.last().copied().unwrap_or(state);
-            return Ok((end, Vec::new()));
+        let mut wanted = points.iter().peekable();
+        let mut states = Vec::with_capacity(points.len());
+        let mut place = from;
+        let outcome = Dop853::new(settings).run(&mut system, &mut place, &mut state, to, |step| {
+            while let Some(psi) = wanted.next_if(|psi| **psi <= step.to) {
+                let mut between = [0.0; 11];
+                step.at(*psi, &mut between);
+                states.push(between);
+            }
+            ControlFlow::Continue(())
+        });
+        if outcome == Outcome::Reached && states.len() == points.len() {
+            Ok((state, states))
+        } else {
+            Err(CycleError::Integration { angle: place.to_degrees(), reason: reason(outcome) })
         }
-        // States between steps are interpolated, which the step control knows nothing of: steps are kept short.
-        let method = method.h_max(STEP_OF_POINTS * (to - from) / (points.len() + 1) as f64);
-        let mut wanted = points.to_vec();
-        wanted.push(to);
-        let solution = IVP::ode(self, from, to, state)
-            .method(method)
-            .t_eval(wanted)
-            .solve()
-            .map_err(|error| failed(&error))?;
-        let mut states = solution.y;
-        if states.len() > points.len() {
-            let end = states.pop().unwrap_or(state);
-            return Ok((end, states));
-        }
-        // Where its last step ends a rounding short of `to`, the solver leaves that point out.
-        let (end, _) = self.run([from, to], state, &[], tolerance)?;
-        if states.len() < points.len() {
-            return Err(failed(&format_args!("StatesMissing")));
-        }
-        Ok((end, states))
     }
 }
 
-impl<F: Fn(f64, Contents) -> Chamber> ODE<f64, State> for Zone<F> {
-    fn diff(&self, psi: f64, state: &State, rates: &mut State) {
-        *rates = self.rates(psi, state);
+/// Why the integration ended early, in words.
+fn reason(outcome: Outcome) -> String {
+    match outcome {
+        Outcome::TooManyEvaluations { limit } => format!("it takes more than {limit} evaluations"),
+        Outcome::StepTooSmall { .. } => "its steps become too small to be told from none".to_owned(),
+        Outcome::NotFinite { .. } => "a rate of change is no number".to_owned(),
+        other => format!("{other:?}"),
     }
 }
 
-/// Longest step over the distance of the points at which states are wanted.
-const STEP_OF_POINTS: f64 = 3.0;
-/// Steps of one interval, at most.
-const MOST_STEPS: usize = 200_000;
+/// Evaluations of one interval, at most.
+const MOST_EVALUATIONS: u64 = 2_400_000;
 
 /// Fills a chamber of constant volume [m^3] through an effective area [m^2] from a reservoir for a time [s]; gives what is in it then.
 ///

@@ -5,7 +5,7 @@ use lanchester_cycle::{
     MeasuredTrace, TraceError, TraceFault, TraceOptions, TracePlace, at_speed, check_firing, indicated,
     read_trace, trace_codes,
 };
-use lanchester_mechanism::PeriodicCurve;
+use lanchester_results::PeriodicCurve;
 use std::collections::BTreeSet;
 use std::f64::consts::{PI, TAU};
 use std::fmt::Write;

@@ -1,5 +1,6 @@
 //! Angles of a cycle.
 
+use lanchester_numerics::within_period;
 use std::f64::consts::TAU;
 
 /// Two crank angles closer than this [rad] are one.
@@ -7,9 +8,7 @@ pub(super) const SAME: f64 = 1e-6;
 
 /// The angle in [0, period); an angle that misses the period by rounding is 0.
 pub(crate) fn turn(angle: f64, period: f64) -> f64 {
-    let turned = angle.rem_euclid(period);
-    // Adding 0 turns -0 into 0.
-    if period - turned < 1e-9 { 0.0 } else { turned + 0.0 }
+    within_period(angle, period, 1e-9)
 }
 
 /// The angle in [0, 2 pi), where angles that differ by no more than [`SAME`] count as one.

@@ -11,6 +11,7 @@ use crate::document::{Field, Section, Span};
 use lanchester_diagnostic::Mistake;
 use lanchester_model::Ratio;
 use lanchester_model::{Crankshaft, Throw};
+use lanchester_numerics::about_zero;
 use lanchester_units::Dimension;
 use std::f64::consts::TAU;
 
@@ -240,7 +241,7 @@ impl<'a> Reader<'a> {
         let masses = self.throw_masses(&self.layers(&[Some(section)], "crank"));
         if let (0, Some(angle), Some(of), Some(crankshafts)) = (index, angle, crankshaft, crankshafts) {
             let phase = crankshafts.get(of).map_or(0.0, |crankshaft| crankshaft.phase);
-            let off = (angle + phase + TAU / 2.0).rem_euclid(TAU) - TAU / 2.0;
+            let off = about_zero(angle + phase, TAU);
             if off.abs() > SAME_ANGLE {
                 let off = lanchester_units::readable(off, Dimension::Angle);
                 self.mistakes.push(

@@ -3,7 +3,7 @@
 use super::crank::details::MaybeBody;
 use super::reader::Reader;
 use crate::document::{Field, Section};
-use lanchester_task::{DesignLimits, Objective, Range, ShapeTask, Shoulder};
+use lanchester_task::{DesignLimits, DesignSettings, Objective, Range, ShapeTask, Shoulder};
 
 impl<'a> Reader<'a> {
     /// The outer `None` says bad, the inner one absent.
@@ -46,6 +46,7 @@ impl<'a> Reader<'a> {
             arc_angle: arc_angle?,
             thickness: thickness?,
             limits: limits?,
+            settings: DesignSettings::default(),
         };
         let faults = task.faults();
         for fault in &faults {

@@ -8,6 +8,7 @@ use lanchester_diagnostic::Mistake;
 use lanchester_model::Ratio;
 use lanchester_model::angle;
 use lanchester_model::{Crankshaft, RodJoint, Strokes};
+use lanchester_numerics::about_zero;
 use lanchester_units::Dimension;
 use std::f64::consts::TAU;
 
@@ -207,7 +208,7 @@ impl<'a> Reader<'a> {
         let mut fired = Vec::new();
         for (index, (angle, top)) in angles.value.iter().zip(&tops).enumerate() {
             let theta = fired_after(start, angle.value, top.cycle(strokes));
-            let off = (theta - top.theta + top.period / 2.0).rem_euclid(top.period) - top.period / 2.0;
+            let off = about_zero(theta - top.theta, top.period);
             if off.abs() * TAU / top.period > FARTHEST_FROM_TOP {
                 let number = index + 1;
                 let nearest = firing::turn(angle.value - off, period);

@@ -5,6 +5,7 @@ use super::drafts::Drafts;
 use super::reader::Reader;
 use lanchester_diagnostic::Mistake;
 use lanchester_model::{Crankshaft, RodJoint};
+use lanchester_numerics::about_zero;
 use lanchester_units::Dimension;
 use std::f64::consts::TAU;
 
@@ -14,7 +15,7 @@ const SAME_PLACE: f64 = 1e-9;
 const SAME_ANGLE: f64 = 1e-9;
 
 fn same_direction(a: f64, b: f64) -> bool {
-    ((a - b + TAU / 2.0).rem_euclid(TAU) - TAU / 2.0).abs() < SAME_ANGLE
+    about_zero(a - b, TAU).abs() < SAME_ANGLE
 }
 
 fn same_place(a: f64, b: f64) -> bool {

@@ -4,8 +4,9 @@ use super::entry::{Entry, quoted_like};
 use super::splice::Splices;
 use crate::expanded::quoted;
 use lanchester_model::angle;
+use lanchester_numerics::about_zero;
 use lanchester_units::{Dimension, parse, rewritten};
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 use toml_spanner::Item;
 
 /// What a written value may miss of its own size: a sum of many of them stays true to 1e-9.
@@ -30,7 +31,7 @@ pub(super) fn same_direction(a: f64, b: f64) -> bool {
 
 /// From one direction to another [rad], in [-pi, pi).
 pub(super) fn turn_between(a: f64, b: f64) -> f64 {
-    (a - b + PI).rem_euclid(TAU) - PI
+    about_zero(a - b, TAU)
 }
 
 /// Units that the file uses.

@@ -1,8 +1,8 @@
 //! Second derivatives over a box: how far a term can lie below its tangent.
 
 use super::curve::{PAIRS, pair};
-use super::interval::Interval;
 use super::problem::SHAPE;
+use lanchester_numerics::Interval;
 
 /// Most rounds in search of the least of a convex bound.
 const SWEEPS: usize = 8;

@@ -3,6 +3,7 @@
 use super::jet::Base;
 use super::number::Number;
 use super::problem::SHAPE;
+use lanchester_numerics::Ring;
 use std::ops::{Add, Mul, Neg, Sub};
 
 /// Pairs of variables: the lower triangle of a symmetric matrix, row by row.
@@ -125,10 +126,25 @@ impl<T: Base> Mul for Curve<T> {
     }
 }
 
-impl<T: Base> Number for Curve<T> {
+impl<T: Base> Ring for Curve<T> {
     fn of(value: f64) -> Self {
         Curve::of(T::of(value))
     }
+    fn times(self, factor: f64) -> Self {
+        Curve {
+            value: self.value.times(factor),
+            by: self.by.map(|d| d.times(factor)),
+            bend: self.bend.map(|d| d.times(factor)),
+            depends: self.depends,
+        }
+    }
+    fn square(self) -> Self {
+        let slope = self.value.times(2.0);
+        self.chain(self.value.square(), slope, T::of(2.0))
+    }
+}
+
+impl<T: Base> Number for Curve<T> {
     fn sin(self) -> Self {
         let sine = self.value.sin();
         self.chain(sine, self.value.cos(), -sine)
@@ -146,17 +162,5 @@ impl<T: Base> Number for Curve<T> {
     fn segment(self) -> [Self; 3] {
         let [values, slopes, bends] = [0, 1, 2].map(|order| self.value.segment_by(order));
         std::array::from_fn(|k| self.chain(values[k], slopes[k], bends[k]))
-    }
-    fn times(self, factor: f64) -> Self {
-        Curve {
-            value: self.value.times(factor),
-            by: self.by.map(|d| d.times(factor)),
-            bend: self.bend.map(|d| d.times(factor)),
-            depends: self.depends,
-        }
-    }
-    fn square(self) -> Self {
-        let slope = self.value.times(2.0);
-        self.chain(self.value.square(), slope, T::of(2.0))
     }
 }

@@ -2,9 +2,10 @@
 //!
 //! It proves nothing; what it finds is held against all shapes by [`super::refute`].
 
-use super::jet::Jet;
+use super::COLUMNS;
 use super::problem::{Kind, Problem, SHAPE, Term};
-use super::simplex::{COLUMNS, End, Row, Simplex};
+use lanchester_numerics::{Jet, Ring};
+use lanchester_numerics::{Simplex, SimplexEnd, SimplexRow};
 
 const VARIABLES: usize = SHAPE + 1;
 type Gradient = Jet<f64, VARIABLES>;
@@ -41,8 +42,8 @@ impl Reached {
 /// Working memory of the search.
 #[derive(Default)]
 pub(super) struct Descent {
-    simplex: Simplex,
-    rows: Vec<Row>,
+    simplex: Simplex<COLUMNS>,
+    rows: Vec<SimplexRow<COLUMNS>>,
     terms: Vec<Term<Gradient>>,
     plain: Vec<Term<f64>>,
     /// What a unit of violation is worth in parts of the level, by the multipliers of the last programme.
@@ -148,7 +149,7 @@ impl Descent {
         let level = if here.level.is_finite() { here.level } else { 1.0 };
         let x: [Gradient; SHAPE] = std::array::from_fn(|k| Jet::variable(here.x[k], k));
         let q = problem.quantities(&x);
-        let levels = problem.levels.mapped(<Gradient as super::number::Number>::of);
+        let levels = problem.levels.mapped(Gradient::of);
         problem.terms(&q, &levels.with(kind, Jet::variable(level, SHAPE)), Some(kind), &mut self.terms);
         // Free variables, each from the lower end of its trust region.
         let mut free = [(0usize, 0.0, 0.0); SHAPE];
@@ -179,7 +180,7 @@ impl Descent {
                 continue;
             }
             let Gradient { value, by } = term.value;
-            let mut row = Row { a: [0.0; COLUMNS], b: -value };
+            let mut row = SimplexRow { a: [0.0; COLUMNS], b: -value };
             for (column, (k, low, width)) in free.iter().enumerate() {
                 row.a[column] = by[*k] * width;
                 row.b += by[*k] * (here.x[*k] - low);
@@ -188,7 +189,7 @@ impl Descent {
             row.b += if elastic { 0.0 } else { by[SHAPE] * (level - start) };
             self.rows.push(row);
         }
-        if self.simplex.solve(&self.rows, &upper[..=count], f64::INFINITY) != End::Optimal {
+        if self.simplex.solve(&self.rows, &upper[..=count], f64::INFINITY) != SimplexEnd::Optimal {
             return None;
         }
         let limits = self.simplex.multipliers().filter(|(row, _)| !elastic && !self.terms[*row].of_objective);

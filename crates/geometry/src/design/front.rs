@@ -1,6 +1,6 @@
 //! The trade between two objectives: designs of which none is better in both.
 
-use super::optimum::{DESIGN_VERSION, Design, PROVED_GAP, Search, realised, within};
+use super::optimum::{DESIGN_VERSION, Design, Search, realised, within};
 use super::problem::{Kind, Problem};
 use super::refute::ROUNDING;
 use super::task::DesignTask;
@@ -20,15 +20,15 @@ pub struct Front {
     /// The designs; empty where no shape meets all limits.
     pub designs: Vec<Design>,
     /// Whether for every design it is proved that the first objective cannot be less by more than
-    /// [`super::PROVED_GAP`] of it, where the second is no larger.
+    /// the gap of the settings, where the second is no larger.
     pub proved: bool,
     /// Boxes of all searches.
     pub boxes: usize,
 }
 
-/// What an objective may be larger than its least where the other is made small: a tenth of what is proved of it. Without
+/// What an objective may be larger than its least where the other is made small, as a share of the gap that is proved of it. Without
 /// room the shapes that are left are too few to tell them from none.
-const SLACK: f64 = 0.1 * PROVED_GAP;
+const SLACK: f64 = 0.1;
 
 /// The numbers of a shape.
 type Shape = [f64; super::problem::SHAPE];
@@ -84,19 +84,19 @@ pub fn front_within(
     let limited = |kind, level| -> Vec<Problem> {
         problems.iter().map(|problem| problem.clone().limited(kind, level)).collect()
     };
-    let mut search = Search::default();
+    let (mut search, settings) = (Search::default(), &task.settings);
     let mut front =
         Front { version: DESIGN_VERSION, objectives, designs: Vec::new(), proved: true, boxes: 0 };
     // The least of one, then of the other at that level.
     let mut ends = [None; 2];
     for (end, (kind, other)) in ends.iter_mut().zip([(first, second), (second, first)]) {
-        let found = search.best(&problems, kind, None);
+        let found = search.best(&problems, kind, None, settings);
         front.boxes += found.boxes;
         front.proved &= found.proved;
         let Some(best) = found.best.filter(|best| within(&problem, kind, best)) else { return Ok(front) };
         let own = problem.levels.of(kind).unwrap_or(f64::INFINITY).max(best.level * (1.0 + ROUNDING));
-        let limited = limited(kind, own.min(best.level * (1.0 + SLACK)));
-        let found = search.best(&limited, other, Some(best.x));
+        let limited = limited(kind, own.min(best.level * (1.0 + SLACK * settings.gap)));
+        let found = search.best(&limited, other, Some(best.x), settings);
         front.boxes += found.boxes;
         front.proved &= found.proved;
         *end = found.best.or(Some(best));
@@ -114,7 +114,7 @@ pub fn front_within(
             if level(&last) <= limit {
                 continue;
             }
-            let found = search.best(&limited(second, limit), first, Some(last));
+            let found = search.best(&limited(second, limit), first, Some(last), settings);
             run.boxes += found.boxes;
             run.proved &= found.proved;
             if let Some(best) = found.best.filter(|best| within(&problem, first, best)) {

@@ -1,15 +1,8 @@
-//! A value with its first derivatives, exact by the rules of differentiation.
+//! What a formula must have so that it can be differentiated, and the functions of this design's formulas with their derivatives.
 
 use super::arc;
 use super::number::Number;
-use std::ops::{Add, Mul, Neg, Sub};
-
-/// A value and its derivatives by `N` variables.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Jet<T, const N: usize> {
-    pub value: T,
-    pub by: [T; N],
-}
+use lanchester_numerics::Jet;
 
 /// What a jet is made of: it can be differentiated.
 pub(super) trait Base: Number {
@@ -38,56 +31,7 @@ impl Base for f64 {
     }
 }
 
-impl<T: Base, const N: usize> Jet<T, N> {
-    /// The variable number `at`.
-    pub fn variable(value: T, at: usize) -> Self {
-        let mut by = [T::of(0.0); N];
-        by[at] = T::of(1.0);
-        Jet { value, by }
-    }
-
-    /// A function of this, from its value and its derivative.
-    fn chain(self, value: T, slope: T) -> Self {
-        Jet { value, by: self.by.map(|d| d * slope) }
-    }
-}
-
-impl<T: Base, const N: usize> Add for Jet<T, N> {
-    type Output = Self;
-    fn add(self, other: Self) -> Self {
-        Jet { value: self.value + other.value, by: std::array::from_fn(|i| self.by[i] + other.by[i]) }
-    }
-}
-
-impl<T: Base, const N: usize> Sub for Jet<T, N> {
-    type Output = Self;
-    fn sub(self, other: Self) -> Self {
-        Jet { value: self.value - other.value, by: std::array::from_fn(|i| self.by[i] - other.by[i]) }
-    }
-}
-
-impl<T: Base, const N: usize> Neg for Jet<T, N> {
-    type Output = Self;
-    fn neg(self) -> Self {
-        Jet { value: -self.value, by: self.by.map(|d| -d) }
-    }
-}
-
-impl<T: Base, const N: usize> Mul for Jet<T, N> {
-    type Output = Self;
-    #[allow(clippy::suspicious_arithmetic_impl, reason = "the derivative of a product is a sum")]
-    fn mul(self, other: Self) -> Self {
-        Jet {
-            value: self.value * other.value,
-            by: std::array::from_fn(|i| self.value * other.by[i] + self.by[i] * other.value),
-        }
-    }
-}
-
 impl<T: Base, const N: usize> Number for Jet<T, N> {
-    fn of(value: f64) -> Self {
-        Jet { value: T::of(value), by: [T::of(0.0); N] }
-    }
     fn sin(self) -> Self {
         self.chain(self.value.sin(), self.value.cos())
     }
@@ -101,12 +45,5 @@ impl<T: Base, const N: usize> Number for Jet<T, N> {
     fn segment(self) -> [Self; 3] {
         let (values, slopes) = (self.value.segment_by(0), self.value.segment_by(1));
         std::array::from_fn(|k| self.chain(values[k], slopes[k]))
-    }
-    fn times(self, factor: f64) -> Self {
-        Jet { value: self.value.times(factor), by: self.by.map(|d| d.times(factor)) }
-    }
-    fn square(self) -> Self {
-        let slope = self.value.times(2.0);
-        Jet { value: self.value.square(), by: self.by.map(|d| d * slope) }
     }
 }

@@ -16,17 +16,19 @@ mod optimum;
 mod problem;
 mod refute;
 mod sector;
-mod simplex;
 mod task;
 
 pub use evolution::{Evolution, Evolved, evolve};
 pub use front::{Front, front, front_within};
-pub use lanchester_task::{DesignLimits, Objective, Range, ShapeTask, Shoulder};
+pub use lanchester_task::{DesignLimits, DesignSettings, Objective, Range, ShapeTask, Shoulder};
 pub use optimum::{
-    DESIGN_VERSION, Design, DesignOutcome, Infeasible, Limit, NearestLimit, Optimum, PROVED_GAP, design,
-    design_within, largest_balance,
+    DESIGN_VERSION, Design, DesignOutcome, Infeasible, Limit, NearestLimit, Optimum, design, design_within,
+    largest_balance,
 };
 pub use task::DesignTask;
+
+/// Most variables of a linear programme of this design: those of the shape, and the violation.
+const COLUMNS: usize = 6;
 
 #[cfg(test)]
 mod tests;

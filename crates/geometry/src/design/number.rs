@@ -3,15 +3,11 @@
 //! A circular segment is given by half its chord `w` and half its angle `a` within ]0, pi[.
 
 use super::arc;
+use lanchester_numerics::Ring;
 use std::f64::consts::FRAC_PI_2;
-use std::ops::{Add, Mul, Neg, Sub};
 
 /// Arithmetic that the formulas of the shape need.
-pub(super) trait Number:
-    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self>
-{
-    /// A constant.
-    fn of(value: f64) -> Self;
+pub(super) trait Number: Ring {
     /// Sine of an angle within [0, pi].
     fn sin(self) -> Self;
     /// Sine of an angle within [0, pi] beyond a quarter turn, one before: half the width of an arc over its radius, or over half its chord.
@@ -20,21 +16,9 @@ pub(super) trait Number:
     fn half_tangent(self) -> Self;
     /// Area, first moment about the chord, and polar moment about its middle, of a segment whose chord is 2.
     fn segment(self) -> [Self; 3];
-
-    /// Times a constant.
-    fn times(self, factor: f64) -> Self {
-        self * Self::of(factor)
-    }
-    /// Its square.
-    fn square(self) -> Self {
-        self * self
-    }
 }
 
 impl Number for f64 {
-    fn of(value: f64) -> f64 {
-        value
-    }
     fn sin(self) -> f64 {
         f64::sin(self)
     }

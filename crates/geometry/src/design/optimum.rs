@@ -7,14 +7,12 @@ use super::task::DesignTask;
 use crate::clearance::RadialEnvelope;
 use lanchester_shape::CounterweightShape;
 use lanchester_shape::GeometryError;
-use lanchester_task::Objective;
+use lanchester_task::{DesignSettings, Objective};
 use serde::Serialize;
 
 /// Version of the results of counterweight design; raised when a field changes its meaning or goes.
 pub const DESIGN_VERSION: u32 = 1;
 
-/// No shape is better than the one found by more than this part of what is made small.
-pub const PROVED_GAP: f64 = 1e-6;
 /// A limit counts as met within this part of it.
 const MET: f64 = 1e-9;
 /// Shapes from which the search starts, spread evenly over the ranges.
@@ -146,7 +144,7 @@ pub fn design_within(
     let problem = Problem::new(task);
     let problems = problem.clone().within(envelope);
     let mut search = Search::default();
-    let found = search.best(&problems, objective.into(), None);
+    let found = search.best(&problems, objective.into(), None, &task.settings);
     Ok(match found.best.filter(|best| within(&problem, objective.into(), best)) {
         Some(best) => DesignOutcome::Found(Box::new(optimum(task, &problem, objective, &best, &found))),
         None => DesignOutcome::Infeasible(search.infeasible(task, &problems, found.proved)),
@@ -164,7 +162,8 @@ pub fn largest_balance(
 ) -> Result<Option<Design>, GeometryError> {
     task.check()?;
     let problem = Problem::new(task);
-    let found = Search::default().best(&problem.clone().within(envelope), Kind::Balance, None);
+    let found =
+        Search::default().best(&problem.clone().within(envelope), Kind::Balance, None, &task.settings);
     let Some(best) = found.best.filter(|best| best.level > 0.0) else { return Ok(None) };
     let shape = problem.shape(&best.x);
     let thickness = best.level * problem.unit(Kind::Thickness) / problem.quantities(&best.x).first;
@@ -191,7 +190,7 @@ pub(super) fn optimum(
         objective,
         design,
         value,
-        bound: if found.proved { value * (1.0 - PROVED_GAP) } else { 0.0 },
+        bound: if found.proved { value * (1.0 - task.settings.gap) } else { 0.0 },
         proved: found.proved,
         boxes: found.boxes,
     }
@@ -247,7 +246,13 @@ pub(super) struct Search {
 
 impl Search {
     /// The best shape of all problems, which differ in the place of the corner alone, from evenly spread starts and `hint`, and its proof.
-    pub fn best(&mut self, problems: &[Problem], kind: Kind, hint: Option<[f64; SHAPE]>) -> Refutation {
+    pub fn best(
+        &mut self,
+        problems: &[Problem],
+        kind: Kind,
+        hint: Option<[f64; SHAPE]>,
+        settings: &DesignSettings,
+    ) -> Refutation {
         let problems = || problems.iter().filter(|problem| !problem.is_empty());
         let mut best: Option<Reached> = None;
         let mut take = |found: Reached| {
@@ -279,7 +284,8 @@ impl Search {
         }
         let mut all = Refutation { best, proved: true, boxes: 0 };
         for problem in problems() {
-            let found = self.refuter.run(problem, kind, all.best, PROVED_GAP, &mut self.descent);
+            let most = settings.max_boxes.saturating_sub(all.boxes);
+            let found = self.refuter.run(problem, kind, all.best, (settings.gap, most), &mut self.descent);
             let (proved, boxes) = (all.proved && found.proved, all.boxes + found.boxes);
             all = Refutation { best: found.best, proved, boxes };
         }
@@ -291,7 +297,7 @@ impl Search {
         for (limit, kind) in LIMITS {
             let Some(problem) = problems.first() else { break };
             let Some(asked) = problem.levels.of(kind) else { continue };
-            let Some(best) = self.best(problems, kind, None).best else { continue };
+            let Some(best) = self.best(problems, kind, None, &task.settings).best else { continue };
             let unit = if kind == Kind::Balance { task.least_balance } else { problem.unit(kind) };
             nearest.push(NearestLimit { limit, asked: asked * unit, nearest: best.level * unit });
         }

@@ -6,11 +6,11 @@
 //! with it, so that it is best as small as the unbalance and its own range allow, `t = max(t_least, U/(rho S))`
 //! (book, eq. 22.27).
 
-use super::interval::Interval;
 use super::number::Number;
 use super::sector::Sector;
 use super::task::DesignTask;
 use crate::clearance::RadialEnvelope;
+use lanchester_numerics::Interval;
 use lanchester_shape::CounterweightShape;
 use lanchester_task::{Objective, Range, Shoulder};
 use std::f64::consts::PI;

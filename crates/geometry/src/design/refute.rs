@@ -5,14 +5,14 @@
 //! shape that satisfies all terms; nor has it where the sum of the terms with the programme's multipliers is positive throughout
 //! (eq. 22.30). What the programme leaves of the box is cut to it; the rest is halved.
 
+use super::COLUMNS;
 use super::bend::{Bend, products};
 use super::curve::Curve;
 use super::descent::{Descent, Reached, sense};
-use super::interval::Interval;
-use super::jet::Jet;
-use super::number::Number;
 use super::problem::{Kind, Levels, Problem, SHAPE, Term};
-use super::simplex::{COLUMNS, End, Row, Simplex};
+use lanchester_numerics::Interval;
+use lanchester_numerics::{Jet, Ring};
+use lanchester_numerics::{Simplex, SimplexEnd, SimplexRow};
 use std::rc::Rc;
 
 /// What rounding may make of a scaled term.
@@ -21,7 +21,6 @@ pub(super) const ROUNDING: f64 = 1e-12;
 const OF_TABLEAU: f64 = 1e-9;
 /// A box smaller than this part of the ranges in every variable is left as it is.
 const SMALLEST: f64 = 1e-7;
-const MOST_BOXES: usize = 200_000;
 
 /// A term with its first derivatives, at the middle of a box.
 type Slopes = Jet<f64, SHAPE>;
@@ -61,8 +60,8 @@ enum Verdict {
 /// Working memory of the proof.
 #[derive(Default)]
 pub(super) struct Refuter {
-    simplex: Simplex,
-    rows: Vec<Row>,
+    simplex: Simplex<COLUMNS>,
+    rows: Vec<SimplexRow<COLUMNS>>,
     /// Second derivatives of what keeps the last programme from refuting its box, if that is known.
     open: Option<Bend>,
     /// Of each row the term, and how far that can lie below its tangent in the box.
@@ -73,21 +72,21 @@ pub(super) struct Refuter {
 }
 
 impl Refuter {
-    /// Tries to show that no shape is better than `best` by more than `gap` of its level; a better one that turns up takes
+    /// Tries to show that no shape is better than `best` by more than `gap` of its level, in at most so many boxes; a better one that turns up takes
     /// its place.
     pub fn run(
         &mut self,
         problem: &Problem,
         kind: Kind,
         mut best: Option<Reached>,
-        gap: f64,
+        (gap, most_boxes): (f64, usize),
         descent: &mut Descent,
     ) -> Refutation {
         let mut stack = vec![Cell { low: problem.low, high: problem.high, bends: Rc::default(), age: FRESH }];
         let (mut boxes, mut searched, mut left) = (0usize, 1, false);
         while let Some(mut cell) = stack.pop() {
             boxes += 1;
-            if boxes > MOST_BOXES {
+            if boxes > most_boxes {
                 left = true;
                 break;
             }
@@ -154,12 +153,7 @@ impl Refuter {
         let x: [Curvatures; SHAPE] =
             std::array::from_fn(|k| Curve::variable(Interval::new(cell.low[k], cell.high[k]), k));
         let (levels, objective) = aim(problem, kind, target);
-        problem.terms(
-            &problem.quantities(&x),
-            &levels.mapped(<Curvatures as Number>::of),
-            objective,
-            &mut self.curved,
-        );
+        problem.terms(&problem.quantities(&x), &levels.mapped(Curvatures::of), objective, &mut self.curved);
         self.curved.iter().map(|term| Bend::of(&term.value.bend)).collect()
     }
 
@@ -197,7 +191,7 @@ impl Refuter {
             if !term.of_objective && value + spread + drop <= 0.0 {
                 continue;
             }
-            let mut row = Row { a: [0.0; COLUMNS], b: rise - value - drop };
+            let mut row = SimplexRow { a: [0.0; COLUMNS], b: rise - value - drop };
             for (column, k) in free.iter().enumerate() {
                 row.a[column] = by[*k] * 2.0 * half[*k];
             }
@@ -220,9 +214,9 @@ impl Refuter {
         let mut point = middle;
         self.open = None;
         match end {
-            End::Infeasible | End::Beyond => Verdict::Refuted,
-            End::Stopped => Verdict::Left(cell, point),
-            End::Optimal => {
+            SimplexEnd::Infeasible | SimplexEnd::Beyond => Verdict::Refuted,
+            SimplexEnd::Stopped => Verdict::Left(cell, point),
+            SimplexEnd::Optimal => {
                 // The sum of the terms with their multipliers bends as a whole, often upwards where each alone bends down.
                 let mut drops = 0.0;
                 let (mut value, mut slope, mut sum) = (0.0, [0.0; SHAPE], 1.0);

@@ -1,7 +1,7 @@
 //! What a counterweight is asked for.
 
 use lanchester_shape::GeometryError;
-use lanchester_task::{DesignLimits, Objective, Range, ShapeTask, Shoulder};
+use lanchester_task::{DesignLimits, DesignSettings, Objective, Range, ShapeTask, Shoulder};
 use serde::{Deserialize, Serialize};
 
 /// A counterweight to be found: its duty, the range of each dimension, limits.
@@ -31,6 +31,8 @@ pub struct DesignTask {
     pub thickness: Range,
     /// Limits.
     pub limits: DesignLimits,
+    /// How far the proof goes.
+    pub settings: DesignSettings,
 }
 
 impl DesignTask {
@@ -48,6 +50,7 @@ impl DesignTask {
             arc_angle: task.arc_angle,
             thickness: task.thickness,
             limits: task.limits,
+            settings: task.settings,
         }
     }
 
@@ -64,6 +67,7 @@ impl DesignTask {
                 hint: "give what the counterweight must balance",
             });
         }
+        self.settings.check()?;
         self.shapes().faults().into_iter().next().map_or(Ok(()), |fault| Err(fault.error))
     }
 
@@ -81,6 +85,7 @@ impl DesignTask {
             arc_angle: self.arc_angle,
             thickness: self.thickness,
             limits: self.limits,
+            settings: self.settings,
         }
     }
 }

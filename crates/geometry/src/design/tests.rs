@@ -1,12 +1,13 @@
 //! The scaled problem against the shape's own integrals, derivatives and enclosures.
 
 use super::curve::{self, Curve};
-use super::interval::Interval;
-use super::jet::Jet;
 use super::number::Number;
 use super::problem::{Kind, Problem, SHAPE};
 use super::task::DesignTask;
+use lanchester_numerics::Interval;
+use lanchester_numerics::Jet;
 use lanchester_shape::Point;
+use lanchester_task::DesignSettings;
 use lanchester_task::{DesignLimits, Range, Shoulder};
 
 fn task() -> DesignTask {
@@ -29,6 +30,7 @@ fn task() -> DesignTask {
             shoulder_angle: Some(Range::new(0.1, 1.2)),
             shoulder_height: None,
         },
+        settings: DesignSettings::default(),
     }
 }
 

@@ -1,6 +1,7 @@
 //! The surface of a chamfer on a part at its place: a cone about the crank axis or a plane.
 
 use super::RESOLUTION;
+use lanchester_numerics::illinois;
 use lanchester_shape::{Chamfer, Cut, Edge, Face, Point};
 use std::f64::consts::PI;
 
@@ -86,10 +87,10 @@ impl Slope {
         // On at most half a turn the distance has at most one extreme inside.
         let mut bounds = vec![0.0, 1.0];
         if grows(0.0) * grows(1.0) < 0.0 {
-            bounds.insert(1, root(grows, 0.0, 1.0));
+            bounds.insert(1, zero(grows, 0.0, 1.0));
         }
         let crossed = bounds.windows(2).filter(|ends| (beyond(ends[0]) > 0.0) != (beyond(ends[1]) > 0.0));
-        crossed.map(|ends| root(beyond, ends[0], ends[1])).collect()
+        crossed.map(|ends| zero(beyond, ends[0], ends[1])).collect()
     }
 
     /// Where a point of the line on the face stands along it, with the uncut face on the left.
@@ -113,12 +114,7 @@ impl Slope {
     }
 }
 
-/// Root of a function that changes its sign between `a` and `b`, by halving.
-fn root(f: impl Fn(f64) -> f64, mut a: f64, mut b: f64) -> f64 {
-    let positive = f(a) > 0.0;
-    for _ in 0..60 {
-        let middle = (a + b) / 2.0;
-        if (f(middle) > 0.0) == positive { a = middle } else { b = middle }
-    }
-    (a + b) / 2.0
+/// Zero of a function that changes its sign between `a` and `b`.
+fn zero(f: impl Fn(f64) -> f64, a: f64, b: f64) -> f64 {
+    illinois(a, f(a), b, f(b), 0.0, f)
 }

@@ -5,10 +5,11 @@
 //! a line of equal `S`. Each optimum is therefore at the end of a range, or where a range of another dimension ends, and found by
 //! halving a monotonous function: no search, nothing to prove beyond.
 
+use super::FirstMoment;
 use super::design::{ShaftWeightDesign, ShaftWeightOutcome};
 use super::inertia::least_inertia;
 use super::nearest::{for_less, for_more};
-use super::{FirstMoment, halving};
+use lanchester_numerics::last_holding;
 use lanchester_shape::GeometryError;
 use lanchester_task::{Range, ShaftWeightAim, ShaftWeightTask};
 
@@ -56,7 +57,7 @@ pub fn best_shaft_weight(
             let enough = |radius: f64| first.of(radius, nearest) >= fewest;
             let Range { least, most: largest } = task.radius;
             let radius =
-                if enough(least) { least } else { halving(|radius| !enough(radius), least, largest) };
+                if enough(least) { least } else { last_holding(|radius| !enough(radius), least, largest) };
             lightest(&first, Range::fixed(radius), [fewest, most])
         }
         ShaftWeightAim::Inertia => least_inertia(&first, [fewest, most]),
@@ -74,14 +75,14 @@ fn lightest(first: &FirstMoment<'_>, radii: Range, [fewest, most]: [f64; 2]) -> 
     let few = |chord: f64| first.of(radii.least, chord) <= most;
     let chord = if !enough(high) {
         // Too little that far out: nearer to the axis.
-        halving(enough, first.nearest_chord(), high)
+        last_holding(enough, first.nearest_chord(), high)
     } else if few(high) {
         high
     } else {
         // Too much even with the least radius: over to the far side, where metal is taken back.
-        halving(|chord| !few(chord), (-high.abs()).max(low), low)
+        last_holding(|chord| !few(chord), (-high.abs()).max(low), low)
     };
     let fits = |radius: f64| first.of(radius, chord) <= most;
-    let radius = if fits(radii.most) { radii.most } else { halving(fits, radii.least, radii.most) };
+    let radius = if fits(radii.most) { radii.most } else { last_holding(fits, radii.least, radii.most) };
     (radius, chord)
 }

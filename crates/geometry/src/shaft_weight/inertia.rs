@@ -4,7 +4,8 @@
 //! has enough is best for every chord, and one unknown is left. Its range is cut into pieces, each bounded from below by the ends; what
 //! cannot hold a better weight is dropped, until nothing is left.
 
-use super::{FirstMoment, halving};
+use super::FirstMoment;
+use lanchester_numerics::last_holding;
 use lanchester_task::Range;
 
 /// No weight has less inertia than the one found by more than this part of it.
@@ -24,8 +25,8 @@ pub(super) fn least_inertia(first: &FirstMoment<'_>, [fewest, most]: [f64; 2]) -
         let radius = |chord: f64| first.radius(fewest, chord).clamp(radii.least, radii.most);
         let enough = |chord: f64| first.of(radii.most, chord) >= fewest;
         let from = low.max(0.0);
-        let from = if few(from) { from } else { halving(few, high, from) };
-        let to = if enough(high) { high } else { halving(enough, from, high) };
+        let from = if few(from) { from } else { last_holding(few, high, from) };
+        let to = if enough(high) { high } else { last_holding(enough, from, high) };
         let bound = |from: f64, to: f64| polar(radius(from), to) / first.of(radius(from), from);
         let chord = smallest(|chord| ratio((radius(chord), chord)), bound, [from, to]);
         return (radius(chord), chord);
@@ -33,7 +34,7 @@ pub(super) fn least_inertia(first: &FirstMoment<'_>, [fewest, most]: [f64; 2]) -
     let top = -high.abs();
     if !few(top) {
         // Too much even with the least radius: over to the far side, where metal is taken back.
-        return (radii.least, halving(few, low, top));
+        return (radii.least, last_holding(few, low, top));
     }
     let from = first.radius(fewest, top).clamp(radii.least, radii.most);
     let to = first.radius(most, top).clamp(from, radii.most);

@@ -47,15 +47,3 @@ impl FirstMoment<'_> {
         if chord.least.abs() > chord.most.abs() { chord.least } else { chord.most }
     }
 }
-
-/// The last place on the way from one end to the other where a condition holds that holds at the first end.
-fn halving(holds: impl Fn(f64) -> bool, mut holding: f64, mut other: f64) -> f64 {
-    for _ in 0..200 {
-        let middle = (holding + other) / 2.0;
-        if middle == holding || middle == other {
-            break;
-        }
-        if holds(middle) { holding = middle } else { other = middle }
-    }
-    holding
-}

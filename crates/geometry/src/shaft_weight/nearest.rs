@@ -1,6 +1,7 @@
 //! What stands in the way of a shaft's weight: for each limit alone, the nearest value with which there is one.
 
-use super::{FirstMoment, halving};
+use super::FirstMoment;
+use lanchester_numerics::last_holding;
 use lanchester_shape::plausible_density;
 use lanchester_task::ShaftWeightTask;
 use serde::Serialize;
@@ -49,7 +50,7 @@ pub(super) fn for_more(unbalance: f64, task: &ShaftWeightTask) -> Vec<NearestSha
         near(ShaftWeightLimit::LargestLength, task.length.most, unbalance / (task.density * largest)),
     ];
     if chord != 0.0 && first.of(task.radius.most, 0.0) >= needed {
-        let nearest = halving(|chord| first.of(task.radius.most, chord) >= needed, 0.0, chord);
+        let nearest = last_holding(|chord| first.of(task.radius.most, chord) >= needed, 0.0, chord);
         let limit = if chord > 0.0 { ShaftWeightLimit::LeastChord } else { ShaftWeightLimit::LargestChord };
         found.push(near(limit, chord, nearest));
     }
@@ -84,7 +85,7 @@ pub(super) fn for_less(unbalance: f64, task: &ShaftWeightTask) -> Vec<NearestSha
     // Just short of where the weight has no hold on its shaft.
     let outermost = task.shaft_radius.next_down();
     if first.of(least, outermost) <= needed {
-        let nearest = halving(|chord| first.of(least, chord) <= needed, outermost, task.chord.most);
+        let nearest = last_holding(|chord| first.of(least, chord) <= needed, outermost, task.chord.most);
         found.push(near(ShaftWeightLimit::LargestChord, task.chord.most, nearest));
     }
     found

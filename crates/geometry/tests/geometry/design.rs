@@ -4,8 +4,8 @@
 
 use crate::support::random_design::{Stream, paper, random_design, violation};
 use lanchester_geometry::{
-    CounterweightShape, Design, DesignLimits, DesignOutcome, DesignTask, GeometryError, Limit, Objective,
-    Optimum, PROVED_GAP, Range, Shoulder, design, front,
+    CounterweightShape, Design, DesignLimits, DesignOutcome, DesignSettings, DesignTask, GeometryError,
+    Limit, Objective, Optimum, Range, Shoulder, design, front,
 };
 
 const OBJECTIVES: [Objective; 4] =
@@ -32,6 +32,7 @@ fn limited() -> DesignTask {
             shoulder_angle: Some(Range::new(0.1, 1.5)),
             shoulder_height: None,
         },
+        settings: DesignSettings::default(),
     }
 }
 
@@ -49,7 +50,7 @@ fn prop_no_random_design_is_better() {
         for optimum in &optima {
             assert!(violation(&task, &optimum.design) < 1e-9, "{which}: {optimum:?}");
             assert!(optimum.proved, "{optimum:?}");
-            assert!((optimum.bound / optimum.value - (1.0 - PROVED_GAP)).abs() < 1e-15);
+            assert!((optimum.bound / optimum.value - (1.0 - DesignSettings::PROVED_GAP)).abs() < 1e-15);
         }
         let mut stream = Stream(2026 + which as u64);
         let (mut feasible, mut closest) = (0, [f64::INFINITY; 4]);
@@ -61,7 +62,7 @@ fn prop_no_random_design_is_better() {
             feasible += 1;
             for (optimum, closest) in optima.iter().zip(&mut closest) {
                 let ratio = random.value(optimum.objective) / optimum.value;
-                assert!(ratio > 1.0 - PROVED_GAP, "{random:?} is better than {optimum:?}");
+                assert!(ratio > 1.0 - DesignSettings::PROVED_GAP, "{random:?} is better than {optimum:?}");
                 *closest = closest.min(ratio);
             }
         }
@@ -78,7 +79,7 @@ impl Values {
     /// The design that these values dominate by more than the proved gap, if there is one: of those whose first value is larger, the
     /// second is largest at the next.
     fn dominated(&self, theirs: [f64; 2]) -> Option<[f64; 2]> {
-        let next = self.0.partition_point(|ours| ours[0] * (1.0 - PROVED_GAP) <= theirs[0]);
+        let next = self.0.partition_point(|ours| ours[0] * (1.0 - DesignSettings::PROVED_GAP) <= theirs[0]);
         self.0.get(next).copied().filter(|ours| theirs[1] <= ours[1])
     }
 }
@@ -111,7 +112,7 @@ fn prop_none_of_a_million_random_designs_dominates_the_front() {
         // A design a little better than one of the front would be seen.
         let [first, second] = values[values.len() / 2];
         let values = Values(values);
-        assert!(values.dominated([first * (1.0 - 2.0 * PROVED_GAP), second]).is_some());
+        assert!(values.dominated([first * (1.0 - 2.0 * DesignSettings::PROVED_GAP), second]).is_some());
         assert!(values.dominated([first, second]).is_none());
         (pair, values)
     });
@@ -240,7 +241,7 @@ fn a_thin_end_of_a_front_is_proved() {
     assert!(front.proved && front.designs.len() == 6, "{front:?}");
     // It begins with the least inertia.
     let least = found(&task, Objective::Inertia).value;
-    assert!((front.designs[0].inertia / least - 1.0).abs() < PROVED_GAP, "{front:?}");
+    assert!((front.designs[0].inertia / least - 1.0).abs() < DesignSettings::PROVED_GAP, "{front:?}");
 }
 
 #[test]

@@ -5,8 +5,8 @@
 use crate::support::random_design::{Stream, paper, random_design, violation};
 use lanchester_geometry::clearance::RadialEnvelope;
 use lanchester_geometry::{
-    Design, DesignLimits, DesignOutcome, DesignTask, Objective, Optimum, PROVED_GAP, Range, Shoulder, design,
-    design_within, front_within, largest_balance,
+    Design, DesignLimits, DesignOutcome, DesignSettings, DesignTask, Objective, Optimum, Range, Shoulder,
+    design, design_within, front_within, largest_balance,
 };
 use std::f64::consts::FRAC_PI_2;
 
@@ -23,6 +23,7 @@ fn task() -> DesignTask {
         arc_angle: Range::new(1.0, 3.5),
         thickness: Range::new(0.015, 0.03),
         limits: DesignLimits::default(),
+        settings: DesignSettings::default(),
     }
 }
 
@@ -69,14 +70,19 @@ fn xcheck_a_round_envelope_is_a_limit_of_the_swept_radius() {
     let limits = DesignLimits { swept_radius: Some(0.07), ..DesignLimits::default() };
     let by_limit = found(design(&DesignTask { limits, ..paper() }, Objective::Mass).unwrap());
     let by_envelope = found(design_within(&paper(), Objective::Mass, Some(&round)).unwrap());
-    assert!(by_envelope.proved && (by_limit.value / by_envelope.value - 1.0).abs() < PROVED_GAP);
+    assert!(
+        by_envelope.proved && (by_limit.value / by_envelope.value - 1.0).abs() < DesignSettings::PROVED_GAP
+    );
     let round = envelope(|_| 0.0925);
     let limits = DesignLimits { swept_radius: Some(0.0925), ..DesignLimits::default() };
     for objective in [Objective::Mass, Objective::Inertia, Objective::Thickness] {
         let by_limit = found(design(&DesignTask { limits, ..task() }, objective).unwrap());
         let by_envelope = found(design_within(&task(), objective, Some(&round)).unwrap());
         assert!(by_envelope.proved && by_limit.proved);
-        assert!((by_limit.value / by_envelope.value - 1.0).abs() < PROVED_GAP, "{objective:?}");
+        assert!(
+            (by_limit.value / by_envelope.value - 1.0).abs() < DesignSettings::PROVED_GAP,
+            "{objective:?}"
+        );
     }
 }
 
@@ -104,7 +110,7 @@ fn prop_no_random_design_within_the_envelope_is_better() {
             closest = closest.min(random.value(objective) / best.value);
         }
         assert!(feasible > 100, "{feasible}");
-        assert!(closest > 1.0 - PROVED_GAP && closest < 1.2, "{objective:?} {closest}");
+        assert!(closest > 1.0 - DesignSettings::PROVED_GAP && closest < 1.2, "{objective:?} {closest}");
     }
 }
 

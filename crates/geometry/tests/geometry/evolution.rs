@@ -4,7 +4,7 @@
 
 use crate::support::random_design::{paper, violation};
 use lanchester_geometry::{
-    DesignLimits, DesignOutcome, DesignTask, Objective, Range, Shoulder, design, evolve,
+    DesignLimits, DesignOutcome, DesignSettings, DesignTask, Objective, Range, Shoulder, design, evolve,
 };
 use proptest::prelude::*;
 
@@ -51,6 +51,7 @@ fn any_task() -> impl Strategy<Value = DesignTask> {
                     shoulder_angle,
                     shoulder_height: None,
                 },
+                settings: DesignSettings::default(),
             }
         },
     )

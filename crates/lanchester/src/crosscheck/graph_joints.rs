@@ -14,8 +14,8 @@ use lanchester_bondgraph::{
     CompliantJoints, EngineDrive, EngineJoints, EngineRequest, Graph, Method, Simulation as GraphRun,
     SimulationRequest, engine_graph, equations,
 };
-use lanchester_mechanism::PeriodicCurve;
 use lanchester_report::CrossRow;
+use lanchester_results::PeriodicCurve;
 use std::f64::consts::TAU;
 
 /// Share by which forces of compliant joints may differ from those of rigid ones.

@@ -10,17 +10,17 @@
 //! torque is taken by a load on the block, so that it does not lean. The gas does not halve with the masses, and on soft mounts it turns the block so far that the
 //! linear response is off by that alone (4): its ratio is held for a share of the gas whose motion is small, and what the rest of it adds stands beside.
 
-use crate::crosscheck::orders::order_of;
 use crate::crosscheck::pair::{CrossCheckError, Pair};
 use crate::inertias::{rotating_bodies, rotor_inertia};
 use crate::pressure::simulated::GivenGas;
 use lanchester_mechanism::{
-    GasTrain, Lever, MountSystem, OrderLoads, OrderResponse, inertia_excitations, merged_orders,
-    rotor_inertia_about_z,
+    GasTrain, Lever, MountSystem, OrderResponse, inertia_excitations, merged_orders, rotor_inertia_about_z,
 };
 use lanchester_model::{Block, Engine, EngineParts, MovingParts};
 use lanchester_multibody::{BlockMotion, GasPressure, Load, LoadLaw, Motion, ReactsOn, Simulation, Train};
 use lanchester_report::{CrossRow, CrossVerdict};
+use lanchester_results::OrderLoads;
+use lanchester_results::amplitude;
 use nalgebra::{Rotation3, Vector3};
 use num_complex::Complex64;
 
@@ -369,7 +369,7 @@ fn simulated(pair: &Pair<'_>, engine: &Engine, run: Run) -> Result<Option<Orders
     let turns = f64::from(train.revolutions);
     let orders = (1..=ORDERS * train.revolutions).map(|k| {
         let order = f64::from(k) / turns;
-        let of = |c: usize| 2.0 * order_of(traces.iter().map(|at| at[c]), count, turns, order);
+        let of = |c: usize| amplitude(traces.iter().map(|at| at[c]), count, 0.0, turns, order);
         (order, (0..components).map(of).collect())
     });
     Ok(Some(orders.collect()))

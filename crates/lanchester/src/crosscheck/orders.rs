@@ -1,24 +1,11 @@
 //! Orders of two traces side by side.
 
 use lanchester_report::CrossRow;
+use lanchester_results::TwoSided;
 use num_complex::Complex64;
-use std::f64::consts::TAU;
 
 /// Orders below this share of the scale are not listed: rounding.
 const LISTED: f64 = 1e-9;
-
-/// Amplitude of the order `n` over `turns` revolutions: part that turns forwards, part that turns backwards.
-pub(crate) fn two_sided(trace: &[Complex64], turns: f64, order: f64) -> [Complex64; 2] {
-    let count = trace.len() as f64;
-    let by = |sign: f64| {
-        let terms = trace
-            .iter()
-            .enumerate()
-            .map(|(k, value)| value * Complex64::cis(-sign * order * TAU * turns * k as f64 / count));
-        terms.sum::<Complex64>() / count
-    };
-    if order == 0.0 { [by(1.0), Complex64::ZERO] } else { [by(1.0), by(-1.0)] }
-}
 
 /// The larger of two amounts; what is not a number is the largest of all.
 pub(crate) fn larger(a: f64, b: f64) -> f64 {
@@ -49,11 +36,10 @@ pub(crate) fn largest_order_rows(
     let count = (f64::from(max_order) * turns).round() as u32;
     let rows = (0..=count).filter_map(|k| {
         let order = f64::from(k) / turns;
-        let size = |sides: [Complex64; 2]| sides[0].norm() + sides[1].norm();
         let mut largest = [0.0f64; 3];
         for traces in parts {
-            let [closed, ours] = traces.map(|trace| two_sided(trace, turns, order));
-            let sizes = [size(closed), size(ours), size([ours[0] - closed[0], ours[1] - closed[1]])];
+            let [closed, ours] = traces.map(|trace| TwoSided::of_samples(trace, 0.0, turns, order));
+            let sizes = [closed.peak(), ours.peak(), (ours - closed).peak()];
             largest = std::array::from_fn(|k| larger(largest[k], sizes[k]));
         }
         let [closed, ours, off] = largest;
@@ -62,11 +48,4 @@ pub(crate) fn largest_order_rows(
         (!is_rounding).then(|| CrossRow::held(name, unit, Some(order), [closed, ours, off, scale], bar))
     });
     rows.collect()
-}
-
-/// Complex mean of `e^{-i order theta}` times `count` real values over `turns` revolutions: half the amplitude of that order.
-pub(crate) fn order_of(values: impl Iterator<Item = f64>, count: usize, turns: f64, order: f64) -> Complex64 {
-    let step = order * TAU * turns / count as f64;
-    let terms = values.enumerate().map(|(k, value)| value * Complex64::cis(-step * k as f64));
-    terms.sum::<Complex64>() / count as f64
 }

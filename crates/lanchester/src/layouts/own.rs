@@ -1,6 +1,7 @@
 //! An engine taken apart as one layout: banks, groups, spacing, throws.
 
 use lanchester_model::{Cylinder, Engine};
+use lanchester_numerics::within_period;
 use lanchester_study::explore::BankPair;
 use std::f64::consts::{PI, TAU};
 
@@ -23,8 +24,7 @@ pub(crate) struct OwnLayout {
 
 /// The angle in [0, 2 pi); one that misses the turn by rounding is 0.
 fn turned(angle: f64) -> f64 {
-    let turned = angle.rem_euclid(TAU);
-    if TAU - turned < SAME { 0.0 } else { turned }
+    within_period(angle, TAU, SAME)
 }
 
 /// An angle in (-pi, pi].

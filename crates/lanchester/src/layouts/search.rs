@@ -2,10 +2,11 @@
 
 use crate::layouts::own::OwnLayout;
 use lanchester_mechanism::{
-    BeamModel, InternalRequest, LoadError, LoadRequest, OrderLoads, TorqueError, firing_chart,
-    internal_moments, total_loads,
+    BeamModel, InternalRequest, LoadError, LoadRequest, TorqueError, firing_chart, internal_moments,
+    total_loads,
 };
 use lanchester_model::{CrankcasePressure, Engine, EngineParts, Gas, GasSource};
+use lanchester_results::OrderLoads;
 use lanchester_study::explore::{
     Banks, Constraint, ExploreAnswer, ExploreError, Explorer, GivenEngine, Layout, Objective, Sense,
 };

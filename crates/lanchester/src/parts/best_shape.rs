@@ -11,10 +11,11 @@ use lanchester_geometry::{
 use lanchester_model::{
     Counterweight, CounterweightForm, CounterweightPart, Engine, EngineParts, PartFault, PartWeight,
 };
+use lanchester_numerics::about_zero;
 use lanchester_report::obstacle_name;
 use serde::Serialize;
 use std::cell::{Cell, RefCell};
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 
 /// Steps after which what is shared is known to rounding, or never.
 const MOST_STEPS: usize = 24;
@@ -549,7 +550,7 @@ pub(crate) fn fitted_part(
     };
     for _ in 0..MOST_STEPS {
         let weight = engine.part_weight(&part).map_err(|fault| refused(engine, index, &fault))?;
-        let off = (old.angle - weight.angle + PI).rem_euclid(TAU) - PI;
+        let off = about_zero(old.angle - weight.angle, TAU);
         if off.abs() <= SAME_DIRECTION {
             return Ok((part, weight));
         }

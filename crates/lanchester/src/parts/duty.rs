@@ -1,6 +1,7 @@
 //! What a weight has to do: its unbalance, its web, its direction beside the crankpin.
 
 use lanchester_model::{Counterweight, Engine};
+use lanchester_numerics::about_zero;
 use std::f64::consts::{PI, TAU};
 
 /// The unbalance that a weight should have [kg m].
@@ -12,7 +13,7 @@ pub(crate) fn duty_of(weight: &Counterweight) -> f64 {
 pub(crate) fn tilt(engine: &Engine, weight: &Counterweight) -> f64 {
     let Some(web) = web_of(engine, weight) else { return 0.0 };
     let off = weight.angle - engine.throws[web / 2].angle - PI;
-    ((off + PI).rem_euclid(TAU) - PI).abs()
+    about_zero(off, TAU).abs()
 }
 
 /// The web in whose plane a weight stands, counted through all throws.

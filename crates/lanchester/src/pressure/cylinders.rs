@@ -6,8 +6,9 @@ use lanchester_cycle::{
     CylinderVolume, IdealCycle, Indicated, TracePlace, ZoneCycle, ZoneSettings, ideal_cycle, indicated,
     single_zone,
 };
-use lanchester_mechanism::{CylinderGas, PeriodicCurve};
+use lanchester_mechanism::CylinderGas;
 use lanchester_model::{CrankcasePressure, Engine, Gas, GasCycle, GasProcess, GasSource, PressureTrace};
+use lanchester_results::PeriodicCurve;
 use serde::Serialize;
 
 /// Version of the form of [`GasReport`].

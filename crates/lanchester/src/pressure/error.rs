@@ -1,7 +1,7 @@
 //! Why an engine has no pressures.
 
 use lanchester_cycle::{CycleError, TraceError};
-use lanchester_mechanism::CurveError;
+use lanchester_results::CurveError;
 
 /// Why there are no pressures.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]

@@ -5,8 +5,8 @@ use lanchester_cycle::{
     CylinderVolume, MeasuredTrace, TraceError, TraceFault, TraceOptions, TracePlace, at_speed, check_firing,
     read_trace,
 };
-use lanchester_mechanism::PeriodicCurve;
 use lanchester_model::{Gas, PressureTrace};
+use lanchester_results::PeriodicCurve;
 
 /// A file that the engine file names, with its text.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -7,8 +7,9 @@ use crate::pressure::measured::TraceFile;
 use lanchester_balance::{
     Answer, BalanceError, BalanceSettings, GasOverSpeed, Next, SearchState, optimise_watched,
 };
-use lanchester_mechanism::{CylinderGas, PeriodicCurve};
+use lanchester_mechanism::CylinderGas;
 use lanchester_model::{Engine, GasSource};
+use lanchester_results::PeriodicCurve;
 use lanchester_task::BalanceTask;
 use std::cell::RefCell;
 use std::collections::BTreeMap;

@@ -4,9 +4,10 @@ use crate::mounted::depends_on_speed;
 use crate::pressure::cylinders::{GasReport, cylinder_gas};
 use crate::pressure::error::GasError;
 use crate::pressure::measured::TraceFile;
-use lanchester_mechanism::{CylinderGas, PeriodicCurve};
+use lanchester_mechanism::CylinderGas;
 use lanchester_model::{CrankcasePressure, Engine, GasSource};
 use lanchester_multibody::GasPressure;
+use lanchester_results::PeriodicCurve;
 
 /// Jump of a value or of a slope over a radian, as a share of the curve's range, that counts as a kink.
 const KINK: f64 = 1e-6;

@@ -37,7 +37,7 @@ fn grid(engine: &Engine, count: u32) -> Vec<f64> {
 /// Largest force at any mount of `of` at each speed, by the mounts themselves.
 fn response(engine: &Engine, speeds: &[f64], of: Option<usize>) -> Vec<f64> {
     let study = mounts(engine, &MountSpeeds::List(speeds.to_vec()), 96, Some(&[]), &[]).expect("it is held");
-    let largest = |peaks: &[lanchester::mechanism::Extreme]| match of {
+    let largest = |peaks: &[lanchester::results::Extreme]| match of {
         Some(mount) => peaks[mount].value,
         None => peaks.iter().map(|peak| peak.value).fold(0.0, f64::max),
     };

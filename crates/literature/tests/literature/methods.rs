@@ -85,7 +85,7 @@ proptest! {
         let Ok(balance) = method.fit(&engine) else { return Ok(()) };
         let fitted = two_orders(&balance.engine, Kinematics::Exact);
         let square = fitted.speed.powi(2);
-        let largest = |of: fn(&lanchester_mechanism::OrderLoads) -> f64| {
+        let largest = |of: fn(&lanchester_results::OrderLoads) -> f64| {
             1e-9 * two_orders(&engine, Kinematics::Exact).parts.iter()
                 .flat_map(|p| &p.loads.orders).map(of).fold(1.0, f64::max)
         };

@@ -2,12 +2,13 @@
 
 use crate::bearings::plan::{BearingPlan, BearingTrace};
 use crate::bearings::request::{BearingPart, BearingRequest};
-use crate::curves::extreme::Extreme;
 use crate::curves::true_peak::true_peak;
 use crate::torque::gas::CylinderGas;
 use crate::torque::gas_train::GasTrain;
 use crate::torque::request::{Lever, TorqueError};
 use lanchester_model::Engine;
+use lanchester_numerics::about_zero;
+use lanchester_results::Extreme;
 use num_complex::Complex64;
 use std::sync::Arc;
 
@@ -135,7 +136,7 @@ impl MainForces {
     /// the trapezoidal rule on equal steps. At a jump of the gas there is an angle on either side.
     pub fn nodes(&self) -> Vec<(f64, f64)> {
         let period = self.period();
-        let apart = |a: f64, b: f64| ((a - b + 0.5 * period).rem_euclid(period) - 0.5 * period).abs();
+        let apart = |a: f64, b: f64| about_zero(a - b, period).abs();
         let free = |theta: &f64| self.jumps.iter().all(|jump| apart(*jump, *theta) > 2.0 * BESIDE);
         let mut angles: Vec<(f64, bool)> =
             self.inertia.plan.grid.theta().iter().copied().filter(free).map(|theta| (theta, false)).collect();
@@ -208,7 +209,7 @@ impl MainForces {
 mod tests {
     use super::*;
     use crate::bearings::result::bearing_loads;
-    use crate::curves::curve::{End, PeriodicCurve};
+    use lanchester_results::{End, PeriodicCurve};
     use std::f64::consts::TAU;
 
     /// The loads are those of the bearings, in peak and at every angle.

@@ -2,10 +2,10 @@
 
 use crate::bearings::plan::{BearingPlan, BearingTrace};
 use crate::bearings::request::{BearingPart, BearingRequest};
-use crate::curves::extreme::Extreme;
 use crate::curves::true_peak::true_peak;
 use crate::torque::request::TorqueError;
 use lanchester_model::Engine;
+use lanchester_results::Extreme;
 use serde::Serialize;
 
 /// Angles of a revolution: many more than the loads of inertia have orders that count.

@@ -14,7 +14,6 @@
 use crate::bearings::beam::{Beam, BeamModel};
 use crate::bearings::request::{BearingPart, BearingRequest};
 use crate::bearings::rod_force::RodForce;
-use crate::curves::lanes::{Lanes, WIDTH};
 use crate::inertia::internal::turning_loads;
 use crate::inertia::trace::{AngleGrid, CrankRow, Kernel, dispatch};
 use crate::torque::gas::CylinderGas;
@@ -23,6 +22,7 @@ use crate::torque::request::{Lever, TorqueError};
 use crate::train::drive::{Drive, Linkage};
 use crate::train::mechanism::{Mechanism, firing_period, linkage, master_of};
 use lanchester_model::{Engine, Ratio};
+use lanchester_numerics::{LANES, Lanes};
 use num_complex::Complex64;
 
 /// Forces over one period in columns, one vector a component; kept from call to call, so that nothing is allocated anew.
@@ -127,7 +127,7 @@ impl BearingPlan {
         let ratios = engine.crankshafts.iter().map(|crankshaft| crankshaft.ratio);
         let grid = AngleGrid::of(ratios, revolutions, request.samples);
         let inertia = if request.part == BearingPart::Gas { 0.0 } else { 1.0 };
-        let blocks = grid.len().div_ceil(WIDTH);
+        let blocks = grid.len().div_ceil(LANES);
         let mut plan = BearingPlan {
             speed: mechanism.speed,
             period: std::f64::consts::TAU * f64::from(revolutions),
@@ -266,7 +266,7 @@ impl BearingPlan {
     }
 
     fn make_room(&self, trace: &mut BearingTrace) {
-        let padded = self.grid.len().div_ceil(WIDTH) * WIDTH;
+        let padded = self.grid.len().div_ceil(LANES) * LANES;
         trace.rods.resize_with(self.gas.len(), RodTrace::default);
         trace.mains.resize_with(self.mains.len(), Default::default);
         for rod in &mut trace.rods {
@@ -279,7 +279,7 @@ impl BearingPlan {
     fn add_slaves(&self, trace: &mut BearingTrace) {
         for row in &self.slaves {
             for (j, &theta) in self.grid.theta().iter().enumerate() {
-                let gas = self.gas[row.cylinder][j / WIDTH].0[j % WIDTH];
+                let gas = self.gas[row.cylinder][j / LANES].0[j % LANES];
                 let loads = row.force.loads(theta, gas);
                 let own = &mut trace.rods[row.cylinder];
                 own.thrust[j] = loads.thrust;
@@ -383,13 +383,13 @@ impl Kernel for BearingKernel<'_> {
     #[inline(always)]
     fn run<const FMA: bool>(self) {
         let BearingKernel { plan, trace } = self;
-        let blocks = plan.grid.len().div_ceil(WIDTH);
+        let blocks = plan.grid.len().div_ceil(LANES);
         for row in &plan.turning {
             let [x, y] = &mut trace.mains[row.main];
             for block in 0..blocks {
                 let [re, im] = turned::<FMA>(row.force, row.sense, plan.grid.turn(row.table, block));
-                x[block * WIDTH..][..WIDTH].copy_from_slice(&re.0);
-                y[block * WIDTH..][..WIDTH].copy_from_slice(&im.0);
+                x[block * LANES..][..LANES].copy_from_slice(&re.0);
+                y[block * LANES..][..LANES].copy_from_slice(&im.0);
             }
         }
         for row in &plan.rods {
@@ -409,17 +409,17 @@ impl Kernel for BearingKernel<'_> {
                 let x = thrust.taken_from::<FMA>(im, along * re);
                 let y = thrust.times_plus::<FMA>(re, along * im);
                 let end = turned::<FMA>(row.big_end, row.sense, turn);
-                let from = block * WIDTH;
-                own.thrust[from..][..WIDTH].copy_from_slice(&thrust.0);
+                let from = block * LANES;
+                own.thrust[from..][..LANES].copy_from_slice(&thrust.0);
                 let pin = rod.s2.times_plus::<FMA>(Lanes::all(row.piston_mass), f);
-                own.piston_pin[0][from..][..WIDTH].copy_from_slice(&pin.0);
-                own.piston_pin[1][from..][..WIDTH].copy_from_slice(&(-thrust).0);
-                own.lower_pin[0][from..][..WIDTH].copy_from_slice(&(x + end[0]).0);
-                own.lower_pin[1][from..][..WIDTH].copy_from_slice(&(y + end[1]).0);
+                own.piston_pin[0][from..][..LANES].copy_from_slice(&pin.0);
+                own.piston_pin[1][from..][..LANES].copy_from_slice(&(-thrust).0);
+                own.lower_pin[0][from..][..LANES].copy_from_slice(&(x + end[0]).0);
+                own.lower_pin[1][from..][..LANES].copy_from_slice(&(y + end[1]).0);
                 for (main, share) in [front, rear].into_iter().zip(shares) {
                     let [to_x, to_y] = &mut trace.mains[main];
-                    add::<FMA>(&mut to_x[from..][..WIDTH], x, share);
-                    add::<FMA>(&mut to_y[from..][..WIDTH], y, share);
+                    add::<FMA>(&mut to_x[from..][..LANES], x, share);
+                    add::<FMA>(&mut to_y[from..][..LANES], y, share);
                 }
             }
         }

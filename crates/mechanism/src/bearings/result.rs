@@ -2,7 +2,6 @@
 
 use crate::bearings::plan::{BearingPlan, BearingTrace};
 use crate::bearings::request::{BearingPart, BearingRequest};
-use crate::curves::extreme::Extreme;
 use crate::curves::true_mean::true_mean;
 use crate::curves::true_peak::true_peak;
 use crate::torque::gas::CylinderGas;
@@ -10,6 +9,7 @@ use crate::torque::gas_train::GasTrain;
 use crate::torque::request::{Lever, TorqueError};
 use crate::train::rod_place::RodLinkage;
 use lanchester_model::Engine;
+use lanchester_results::Extreme;
 use num_complex::Complex64;
 use serde::Serialize;
 

@@ -3,8 +3,8 @@
 //! Between samples the vector is the polynomial through the eight nearest of them: for order n at N angles a revolution
 //! its error is below 1e-3 (2 pi n / N)^8 of that order, 1e-11 of the tenth order at 720 angles.
 
-use crate::curves::extreme::Extreme;
 use crate::curves::extremes::refined_extremes;
+use lanchester_results::Extreme;
 use num_complex::Complex64;
 
 /// Samples that a polynomial goes through.

@@ -4,7 +4,8 @@
 //! still beat the best one. Each is bracketed by a change of sign of the derivative and refined there, so that an
 //! extreme is found to the last digits in angle as well as in value.
 
-use crate::curves::extreme::{Extreme, Extremes};
+use lanchester_numerics::illinois;
+use lanchester_results::{Extreme, Extremes};
 use std::f64::consts::TAU;
 
 /// Values this close, relative to the range, tie: the first angle of them counts.
@@ -94,35 +95,5 @@ fn bracketed(step: f64, j: usize, sign: f64, function: &impl Fn(f64) -> (f64, f6
         // The function is flat to rounding here: the grid angle is as good as any.
         return middle;
     }
-    root(middle, rising, other, far, slope)
-}
-
-/// Root of `slope` between two angles where it has opposite signs: the Illinois rule, kept honest by bisection.
-pub(crate) fn root(
-    mut a: f64,
-    mut slope_a: f64,
-    mut b: f64,
-    mut slope_b: f64,
-    slope: impl Fn(f64) -> f64,
-) -> f64 {
-    for iteration in 0..100 {
-        let width = b - a;
-        if width.abs() <= 4.0 * f64::EPSILON * (1.0 + a.abs()) {
-            break;
-        }
-        let secant = b - slope_b * width / (slope_b - slope_a);
-        // Every fourth step halves the bracket, whatever the secant says.
-        let trial = if iteration % 4 == 3 || !secant.is_finite() { a + 0.5 * width } else { secant };
-        let value = slope(trial);
-        if value == 0.0 {
-            return trial;
-        }
-        if (value > 0.0) == (slope_b > 0.0) {
-            slope_a *= 0.5;
-        } else {
-            (a, slope_a) = (b, slope_b);
-        }
-        (b, slope_b) = (trial, value);
-    }
-    b
+    illinois(middle, rising, other, far, 0.0, slope)
 }

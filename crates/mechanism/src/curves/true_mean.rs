@@ -1,6 +1,6 @@
 //! Means of a load over the continuous cycle.
 
-use crate::curves::curve::GAUSS;
+use lanchester_numerics::{GAUSS_8, gauss};
 
 /// Jumps closer than this are at one angle [rad].
 const SAME: f64 = 1e-11;
@@ -30,10 +30,7 @@ pub(crate) fn true_mean(samples: &[f64], period: f64, jumps: &[f64], value: impl
     let mut cuts: Vec<f64> = jumps.to_vec();
     cuts.dedup_by(|next, kept| *next - *kept <= SAME);
     cuts.push(cuts[0] + period);
-    let gauss = |from: f64, to: f64| {
-        let points = GAUSS.iter().flat_map(|(x, weight)| [(0.5 - x, weight), (0.5 + x, weight)]);
-        (to - from) * points.map(|(at, weight)| weight * value(from + at * (to - from))).sum::<f64>()
-    };
+    let gauss = |from: f64, to: f64| gauss(&GAUSS_8, from, to, &value);
     let mut sum = 0.0;
     for pair in cuts.windows(2) {
         let [from, to] = [pair[0], pair[1]];

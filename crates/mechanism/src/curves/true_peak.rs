@@ -1,7 +1,7 @@
 //! True peaks of a load: from its samples to the extreme over the continuous angle.
 
-use crate::curves::extreme::Extreme;
 use crate::speed::energy::peak;
+use lanchester_results::Extreme;
 
 /// Local maxima of the samples below this share of the largest are no candidates.
 const CANDIDATE: f64 = 0.95;

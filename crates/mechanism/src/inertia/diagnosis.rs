@@ -3,11 +3,10 @@
 //! A load matters above 0.1 % of a scale: forces are measured against the largest order of one cylinder's force,
 //! couples against that force at the length of the crank, roll moments against it at the crank radius.
 
-use crate::inertia::result::{
-    CylinderLoads, Diagnosis, Finding, LoadSet, OrderLoads, Quantity, Remedy, Sense,
-};
+use crate::inertia::result::{CylinderLoads, Diagnosis, Finding, Quantity, Remedy, Sense};
 use crate::wording::{adjective, amount, layout, ordinal, rpm, shaft_speed};
 use lanchester_model::Engine;
+use lanchester_results::{LoadSet, OrderLoads};
 
 /// Share of the scale below which a load is not worth a word.
 const THRESHOLD: f64 = 1e-3;

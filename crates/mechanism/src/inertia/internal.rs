@@ -15,10 +15,10 @@
 use crate::bearings::beam::{Beam, BeamModel, walk};
 use crate::bearings::rod_force::RodForce;
 use crate::curves::envelope::largest;
-use crate::curves::extreme::Extreme;
 use crate::inertia::request::{Kinematics, LoadError, LoadRequest};
 use crate::train::mechanism::{Mechanism, linkage, master_of};
 use lanchester_model::Engine;
+use lanchester_results::Extreme;
 use num_complex::Complex64;
 use serde::Serialize;
 

@@ -4,10 +4,11 @@ use crate::inertia::diagnosis::diagnose;
 use crate::inertia::part::Part;
 use crate::inertia::peaks::Scale;
 use crate::inertia::request::{LoadError, LoadRequest};
-use crate::inertia::result::{CylinderLoads, LoadSet, Loads, PartLoads, RESULT_VERSION};
+use crate::inertia::result::{CylinderLoads, Loads, PartLoads, RESULT_VERSION};
 use crate::train::mechanism::{Mechanism, Selection};
 use crate::train::motion::motion;
 use lanchester_model::Engine;
+use lanchester_results::LoadSet;
 
 /// All inertia loads of `engine`: what the moving parts exert on the block, and the inertia torque at crankshaft 1.
 ///

@@ -10,12 +10,12 @@
 //! finite sums for their truncated motions, and a spectral quadrature ([`crate::sampling`]) for articulated rods. A crankshaft that
 //! turns the other way exchanges the two senses.
 
-use crate::inertia::result::OrderLoads;
 use crate::train::drive::{Drive, Linkage};
 use crate::train::mechanism::{Piston, Rotor};
 use crate::train::sampling::sampled_orders;
 use crate::train::series::slider_orders;
 use lanchester_model::Ratio;
+use lanchester_results::OrderLoads;
 use num_complex::Complex64;
 
 /// No load of order `order`.

@@ -1,11 +1,11 @@
 //! Extremes of every quantity of a load set.
 
-use crate::curves::extreme::{Extreme, Extremes};
 use crate::curves::extremes::{grid_extremes, refined_extremes};
 use crate::inertia::point::Point;
 use crate::inertia::request::PeakMode;
-use crate::inertia::result::{Peaks, Trace};
 use crate::train::mechanism::Mechanism;
+use lanchester_results::{Extreme, Extremes};
+use lanchester_results::{Peaks, Trace};
 
 /// Angles in a revolution of the grid that is refined, at least.
 const SCAN: usize = 720;

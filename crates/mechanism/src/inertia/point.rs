@@ -1,7 +1,7 @@
 //! Loads at one crank angle with their derivatives: what extremes are refined on.
 
-use crate::inertia::result::Components;
 use crate::train::mechanism::{Mechanism, Piston, Rotor};
+use lanchester_results::Components;
 use num_complex::Complex64;
 
 /// Loads at one angle and their derivatives by `theta`.

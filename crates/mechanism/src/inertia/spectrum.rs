@@ -9,16 +9,16 @@
 //! M_n = -T_n + 2 R a_n - n r J W^2 (V_{n-1} - V_{n+1}) w_0^n        V_n: coefficients of 1/W
 //! ```
 
-use crate::curves::lanes::{ComplexLanes, Lanes, WIDTH};
 use crate::inertia::order_axis::OrderAxis;
 use crate::inertia::orders::{Harmonic, empty};
-use crate::inertia::result::OrderLoads;
 use crate::inertia::trace::{Kernel, dispatch, run_portable};
 use crate::train::drive::{Drive, Linkage};
 use crate::train::linkage::Slider;
 use crate::train::mechanism::{Mechanism, Piston};
 use crate::train::series::RootFactors;
 use lanchester_model::Ratio;
+use lanchester_numerics::{ComplexLanes, LANES, Lanes};
+use lanchester_results::OrderLoads;
 use num_complex::Complex64;
 
 /// Most coefficients that the kernel's buffer holds; longer series take the scalar way.
@@ -99,7 +99,7 @@ impl Mechanism {
                 && RootFactors::of(slider).terms() + highest + 2 <= LONGEST
             {
                 let entry = (piston, slider, RootFactors::of(slider).terms());
-                match groups.iter_mut().find(|g| g.0 == piston.ratio && g.1.len() < WIDTH) {
+                match groups.iter_mut().find(|g| g.0 == piston.ratio && g.1.len() < LANES) {
                     Some((_, group)) => group.push(entry),
                     None => groups.push((piston.ratio, vec![entry])),
                 }

@@ -11,12 +11,12 @@
 //! ```
 //! (Symbols as in [`crate::linkage`] and [`crate::train`].)
 
-use crate::curves::lanes::{Lanes, WIDTH};
-use crate::inertia::result::Trace;
 use crate::train::drive::{Drive, Linkage};
 use crate::train::linkage::Slider;
 use crate::train::mechanism::{KnuckleMass, Mechanism, Piston, Rotor};
 use lanchester_model::Ratio;
+use lanchester_numerics::{LANES, Lanes};
+use lanchester_results::Trace;
 use num_complex::Complex64;
 
 /// Code that is compiled once for each set of vector instructions.
@@ -108,11 +108,11 @@ impl AngleGrid {
         let tables = ratios
             .into_iter()
             .map(|ratio| {
-                let mut cos = vec![Lanes::all(1.0); count.div_ceil(WIDTH)];
-                let mut sin = vec![Lanes::ZERO; count.div_ceil(WIDTH)];
+                let mut cos = vec![Lanes::all(1.0); count.div_ceil(LANES)];
+                let mut sin = vec![Lanes::ZERO; count.div_ceil(LANES)];
                 for j in 0..count {
                     let entry = table_entry(ratio, revolutions, j, count);
-                    (cos[j / WIDTH].0[j % WIDTH], sin[j / WIDTH].0[j % WIDTH]) = entry;
+                    (cos[j / LANES].0[j % LANES], sin[j / LANES].0[j % LANES]) = entry;
                 }
                 TurnTable { ratio, cos, sin }
             })
@@ -491,12 +491,12 @@ impl Kernel for TraceKernel<'_> {
         for component in &out {
             assert_eq!(component.len(), count, "invariant: room was made for every angle");
         }
-        let tail = count % WIDTH;
-        for block in 0..count.div_ceil(WIDTH) {
+        let tail = count % LANES;
+        for block in 0..count.div_ceil(LANES) {
             let sums = plan.sums::<FMA>(block);
-            let from = block * WIDTH;
+            let from = block * LANES;
             for n in 0..6 {
-                if let Some(room) = out[n].get_mut(from..from + WIDTH) {
+                if let Some(room) = out[n].get_mut(from..from + LANES) {
                     room.copy_from_slice(&sums[n].0);
                 } else {
                     out[n][from..].copy_from_slice(&sums[n].0[..tail]);

@@ -1,10 +1,10 @@
 //! What shakes the block: loads by order at each speed.
 
 use crate::inertia::request::LoadRequest;
-use crate::inertia::result::OrderLoads;
 use crate::mounts::error::MountError;
 use crate::train::mechanism::Mechanism;
 use lanchester_model::Engine;
+use lanchester_results::OrderLoads;
 use nalgebra::{Vector3, Vector6};
 use num_complex::Complex64;
 

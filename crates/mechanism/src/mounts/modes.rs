@@ -5,12 +5,12 @@
 //! damped     ( p^2 M + p C + K (1 + i eta) ) s = 0    as a first-order system of 12 in (y, y'/w0)
 //! ```
 
-use crate::curves::extremes::root;
 use crate::mounts::error::MountError;
 use crate::mounts::result::{DampedMode, MountMode, MountModes};
 use crate::mounts::spring::Spring;
 use crate::mounts::symmetric::symmetric_eigen;
 use crate::mounts::system::MountSystem;
+use lanchester_numerics::illinois;
 use nalgebra::{Matrix6, SMatrix, Schur, Vector6};
 use num_complex::Complex64;
 
@@ -63,7 +63,7 @@ impl MountSystem {
                 high *= 2.0;
             }
             let miss = |frequency: f64| frequency * frequency - squared(frequency);
-            root(0.0, miss(0.0), high, miss(high), miss)
+            illinois(0.0, miss(0.0), high, miss(high), 0.0, miss)
         } else {
             squared(0.0).max(0.0).sqrt()
         };

@@ -6,11 +6,11 @@
 //! At t, -t, pi - t and pi + t the sums are those of even and odd harmonics, of cosines and sines, with other signs: a
 //! quarter of the cycle gives all of it. Newton's method on the slope of `f.f` takes each hill that can matter to its top.
 
-use crate::curves::extreme::Extreme;
-use crate::curves::extremes::root;
 use crate::inertia::request::MAX_REVOLUTIONS;
 use crate::mounts::error::MountError;
 use crate::mounts::result::OrderResponse;
+use lanchester_numerics::illinois;
+use lanchester_results::Extreme;
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 
@@ -171,7 +171,7 @@ impl Cycle {
         let (low, high) = (middle - step, middle + step);
         let (rising, falling) = (slope(low), slope(high));
         if rising > 0.0 && falling < 0.0 {
-            t = root(low, rising, high, falling, slope);
+            t = illinois(low, rising, high, falling, 0.0, slope);
             return (square(t), t);
         }
         (square(middle), middle)

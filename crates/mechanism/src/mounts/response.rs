@@ -5,13 +5,13 @@
 //! ```
 //! C and M with what the rotors do at the speed (27.12, 27.13).
 
-use crate::inertia::result::OrderLoads;
 use crate::mounts::error::MountError;
 use crate::mounts::excitation::{Excitation, amplitudes};
 use crate::mounts::peaks::Cycle;
 use crate::mounts::result::{BeyondTable, MOUNT_RESULT_VERSION, MountResponse, OrderResponse, SpeedResponse};
 use crate::mounts::spring::{Complex6x6, Spring};
 use crate::mounts::system::MountSystem;
+use lanchester_results::OrderLoads;
 use nalgebra::{Matrix3x6, Vector3, Vector6};
 use num_complex::Complex64;
 

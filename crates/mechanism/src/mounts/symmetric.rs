@@ -1,65 +1,20 @@
 //! Eigenvalues of small symmetric matrices by Jacobi's rotations.
 //!
 //! The routine of `nalgebra` returns wrong vectors for some nearly uncoupled matrices (its issue 1109), which stiff blocks on symmetric
-//! mounts have. Jacobi's is as accurate as the entries allow, and for six rows as quick as is needed (Golub and Van Loan,
-//! *Matrix Computations*, 4th edition, section 8.5).
+//! mounts have. Jacobi's is as accurate as the entries allow, and for six rows as quick as is needed.
 
+use lanchester_numerics::SymmetricEigen;
 use nalgebra::{SMatrix, SVector};
-
-/// Sweeps over all pairs that may be taken; convergence is quadratic, and ten are rare.
-const SWEEPS: usize = 64;
 
 /// Eigenvalues of a symmetric matrix, rising, each with its unit vector; the lower half of the matrix is not read.
 pub(crate) fn symmetric_eigen<const N: usize>(matrix: &SMatrix<f64, N, N>) -> Vec<(f64, SVector<f64, N>)> {
-    let mut a = *matrix;
-    let mut vectors = SMatrix::<f64, N, N>::identity();
-    for _ in 0..SWEEPS {
-        let mut turned = false;
-        for p in 0..N {
-            for q in p + 1..N {
-                turned |= turn(&mut a, &mut vectors, p, q);
-            }
-        }
-        if !turned {
-            break;
-        }
-    }
-    let mut pairs: Vec<_> = (0..N).map(|k| (a[(k, k)], vectors.column(k).into_owned())).collect();
-    pairs.sort_by(|a, b| a.0.total_cmp(&b.0));
-    pairs
-}
-
-/// Turns the plane of two rows so that their coupling vanishes; false where it is below rounding of both diagonals.
-fn turn<const N: usize>(
-    a: &mut SMatrix<f64, N, N>,
-    vectors: &mut SMatrix<f64, N, N>,
-    p: usize,
-    q: usize,
-) -> bool {
-    let coupling = a[(p, q)];
-    let (first, second) = (a[(p, p)], a[(q, q)]);
-    if first.abs() + coupling.abs() == first.abs() && second.abs() + coupling.abs() == second.abs() {
-        a[(p, q)] = 0.0;
-        return false;
-    }
-    // tan of the smaller angle: t^2 + 2 r t - 1 = 0 with r = (a_qq - a_pp) / (2 a_pq)
-    let ratio = (second - first) / (2.0 * coupling);
-    let tangent = ratio.signum() / (ratio.abs() + ratio.hypot(1.0));
-    let cosine = 1.0 / tangent.hypot(1.0);
-    let sine = tangent * cosine;
-    a[(p, p)] = first - tangent * coupling;
-    a[(q, q)] = second + tangent * coupling;
-    a[(p, q)] = 0.0;
-    for k in (0..N).filter(|&k| k != p && k != q) {
-        let (at_p, at_q) = ((k.min(p), k.max(p)), (k.min(q), k.max(q)));
-        let (x, y) = (a[at_p], a[at_q]);
-        (a[at_p], a[at_q]) = (cosine * x - sine * y, sine * x + cosine * y);
-    }
-    for k in 0..N {
-        let (x, y) = (vectors[(k, p)], vectors[(k, q)]);
-        (vectors[(k, p)], vectors[(k, q)]) = (cosine * x - sine * y, sine * x + cosine * y);
-    }
-    true
+    let by_row: Vec<f64> = matrix.transpose().iter().copied().collect();
+    let found = SymmetricEigen::new(N, by_row);
+    let of = |k: usize| match &found {
+        Some(eigen) => (eigen.values[k], SVector::from_column_slice(&eigen.vectors[k * N..(k + 1) * N])),
+        None => (f64::NAN, SVector::repeat(f64::NAN)),
+    };
+    (0..N).map(of).collect()
 }
 
 #[cfg(test)]

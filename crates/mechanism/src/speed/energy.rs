@@ -8,9 +8,8 @@
 //! E has its extremes where T crosses its mean. The torque is smooth between breaks (knots of the pressures): each stretch is
 //! integrated with the Gauss rule, crossings within it are roots.
 
-use crate::curves::extreme::{Extreme, Extremes};
-use crate::curves::extremes::root;
-use lanchester_numerics::golden_section;
+use lanchester_numerics::{GAUSS_4, gauss, golden_section, illinois};
+use lanchester_results::{Extreme, Extremes};
 use serde::Serialize;
 
 /// Stretches of a revolution within which no torque hides an extreme, at least: on one of them the rule of four points is exact to rounding.
@@ -18,12 +17,6 @@ pub(crate) const STRETCHES: usize = 360;
 
 /// The same for a motion near locking: a stretch as a share of the widest part of an ordinary quadrature.
 pub(crate) const SHARE_OF_WIDTH: f64 = 1.0 / 3.0;
-
-/// Gauss-Legendre rule of four points on [0, 1]: distances from the middle, weights.
-const GAUSS: [(f64, f64); 2] = [
-    (0.169_990_521_792_428_14, 0.326_072_577_431_273_1),
-    (0.430_568_155_797_026_3, 0.173_927_422_568_726_93),
-];
 
 /// Share of a stretch by which its ends are avoided: the torque may jump there.
 const INSIDE: f64 = 1e-9;
@@ -82,7 +75,7 @@ impl Breaks {
 
     /// Integral of `function` from one angle to another with no break between them.
     pub fn stretch(&self, from: f64, to: f64, function: &impl Fn(f64) -> f64) -> f64 {
-        if to > from { gauss(from, to, function) } else { 0.0 }
+        if to > from { gauss(&GAUSS_4, from, to, function) } else { 0.0 }
     }
 
     /// `torque` at the places of every stretch.
@@ -213,14 +206,14 @@ impl<'a, F: Fn(f64) -> f64> SampledTorque<'a, F> {
             for (theta, value) in points.iter().zip(values.at_points).skip(1) {
                 let here = (*theta, value - mean);
                 if (before.1 > 0.0) != (here.1 > 0.0) {
-                    let crossing = root(before.0, before.1, here.0, here.1, over);
-                    add(gauss(from, crossing, &over), crossing);
+                    let crossing = illinois(before.0, before.1, here.0, here.1, 0.0, over);
+                    add(gauss(&GAUSS_4, from, crossing, over), crossing);
                     from = crossing;
                 }
                 before = here;
             }
             let rest = match from > start {
-                true => gauss(from, end, &over),
+                true => gauss(&GAUSS_4, from, end, over),
                 false => gauss_sum(end - start, &values.at_gauss.map(|value| value - mean)),
             };
             add(rest, end);
@@ -249,22 +242,18 @@ fn points(from: f64, to: f64) -> [f64; 3] {
 fn gauss_points(from: f64, to: f64) -> [f64; 4] {
     let h = to - from;
     std::array::from_fn(|k| {
-        let (x, _) = GAUSS[k / 2];
+        let (x, _) = GAUSS_4[k / 2];
         from + h * if k % 2 == 0 { 0.5 - x } else { 0.5 + x }
     })
 }
 
 /// Integral over a stretch of length `h` of what has these values at [`gauss_points`].
 fn gauss_sum(h: f64, values: &[f64; 4]) -> f64 {
-    h * GAUSS
+    h * GAUSS_4
         .iter()
         .zip(values.chunks(2))
         .map(|((_, weight), pair)| weight * (pair[0] + pair[1]))
         .sum::<f64>()
-}
-
-fn gauss(from: f64, to: f64, function: &impl Fn(f64) -> f64) -> f64 {
-    gauss_sum(to - from, &gauss_points(from, to).map(function))
 }
 
 /// Largest value within a bracket, and where.

@@ -11,8 +11,6 @@
 //! as in [`crate::train`], with `m_K` the big-end mass on a knuckle pin less what it has on the crankpin. The torque of inertia is
 //! in `J(theta)`: only the gas does work. No friction and a load that takes the mean torque at every angle: the speed is periodic.
 
-use crate::curves::curve::{End, PeriodicCurve};
-use crate::curves::extreme::{Extreme, Extremes};
 use crate::curves::extremes::grid_extremes;
 use crate::inertia::request::{LoadError, MAX_REVOLUTIONS};
 use crate::speed::energy::{Breaks, STRETCHES};
@@ -24,6 +22,8 @@ use crate::torque::outer_torque::OuterTorque;
 use crate::torque::request::{Lever, TorqueError, TorqueRequest};
 use crate::train::mechanism::{Mechanism, period};
 use lanchester_model::{Engine, RodJoint, greatest_common_divisor};
+use lanchester_results::{End, PeriodicCurve};
+use lanchester_results::{Extreme, Extremes};
 use serde::Serialize;
 use std::f64::consts::TAU;
 

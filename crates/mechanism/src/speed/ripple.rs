@@ -1,6 +1,6 @@
 //! Inertia of the crank train and the speed within the cycle, as results.
 
-use crate::curves::extreme::Extremes;
+use lanchester_results::Extremes;
 use serde::Serialize;
 
 /// Version of these structures; raised when a field changes its meaning or goes.

@@ -1,9 +1,6 @@
 //! Torque over the working cycle: gas at every cylinder's firing angle, and inertia.
 
-use crate::curves::curve::PeriodicCurve;
-use crate::curves::extreme::Extreme;
 use crate::inertia::request::LoadError;
-use crate::inertia::result::OrderLoads;
 use crate::speed::energy::{Breaks, SHARE_OF_WIDTH, STRETCHES};
 use crate::torque::firing_chart::chart_of;
 use crate::torque::gas::CylinderGas;
@@ -17,6 +14,9 @@ use crate::train::mechanism::{Mechanism, Piston, Selection};
 use crate::train::sampling::sampled_orders;
 use crate::train::turned::Turned;
 use lanchester_model::Engine;
+use lanchester_results::Extreme;
+use lanchester_results::OrderLoads;
+use lanchester_results::PeriodicCurve;
 use num_complex::Complex64;
 use std::f64::consts::{PI, TAU};
 

@@ -6,6 +6,7 @@ use crate::torque::request::TorqueError;
 use crate::train::mechanism::firing_period;
 use crate::{LoadRequest, motion};
 use lanchester_model::{Engine, Strokes};
+use lanchester_numerics::within_period;
 use num_complex::Complex64;
 use serde::Serialize;
 use std::f64::consts::TAU;
@@ -181,7 +182,7 @@ fn chart(engine: &Engine, motion: &[CylinderMotion], period: f64) -> Result<Firi
         let turn = TAU / engine.crankshafts[throw.crankshaft].ratio.value().abs();
         let count = (period / (turn * strokes)).round() as usize;
         let mut own: Vec<f64> =
-            (0..count).map(|k| wrapped(first + turn * strokes * k as f64, period)).collect();
+            (0..count).map(|k| within_period(first + turn * strokes * k as f64, period, SAME)).collect();
         own.sort_by(f64::total_cmp);
         // Of a chamber that pistons share the strokes are those of its volume.
         let [top, bottom] = match &motion.chamber {
@@ -192,7 +193,7 @@ fn chart(engine: &Engine, motion: &[CylinderMotion], period: f64) -> Result<Firi
         let mut spans: Vec<StrokeSpan> =
             own.iter().flat_map(|theta| spans(engine.strokes, *theta, turn, down)).collect();
         for span in &mut spans {
-            let shift = wrapped(span.from, period) - span.from;
+            let shift = within_period(span.from, period, SAME) - span.from;
             (span.from, span.to) = (span.from + shift, span.to + shift);
         }
         spans.sort_by(|a, b| a.from.total_cmp(&b.from));
@@ -245,10 +246,4 @@ fn spans(strokes: Strokes, firing: f64, turn: f64, down: f64) -> Vec<StrokeSpan>
 fn star(firings: &[Firing], order: f64) -> FiringStar {
     let sum: Complex64 = firings.iter().map(|f| Complex64::cis(order * f.theta)).sum();
     FiringStar { order, share: sum.norm() / firings.len() as f64 }
-}
-
-/// The angle in one period; one that misses it by rounding is 0.
-fn wrapped(angle: f64, period: f64) -> f64 {
-    let turned = angle.rem_euclid(period);
-    if period - turned <= SAME { 0.0 } else { turned }
 }

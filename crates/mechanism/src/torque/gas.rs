@@ -1,6 +1,6 @@
 //! Gas on the pistons.
 
-use crate::curves::curve::PeriodicCurve;
+use lanchester_results::PeriodicCurve;
 use serde::Serialize;
 
 /// Pressures on the two sides of one piston, at one speed.

@@ -20,11 +20,9 @@
 //! ```
 
 use crate::bearings::rod_force::RodForce;
-use crate::curves::curve::{GAUSS, PeriodicCurve};
 use crate::inertia::orders::empty;
 use crate::inertia::request::LoadRequest;
 use crate::inertia::result::CylinderMotion;
-use crate::inertia::result::OrderLoads;
 use crate::torque::gas::CylinderGas;
 use crate::torque::request::{Lever, TorqueError};
 use crate::train::drive::{Drive, Linkage};
@@ -34,6 +32,9 @@ use crate::train::sampling::sampled_orders;
 use crate::train::series::slider_orders;
 use crate::train::turned::Turned;
 use lanchester_model::{Engine, Ratio, RodJoint};
+use lanchester_numerics::{GAUSS_8, unit_points};
+use lanchester_results::OrderLoads;
+use lanchester_results::PeriodicCurve;
 use num_complex::Complex64;
 use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};
@@ -138,7 +139,7 @@ impl GasPiston {
             let parts = (h / self.width.min(narrow)).ceil().max(1.0);
             let width = h / parts;
             for part in 0..parts as usize {
-                for (x, weight) in GAUSS.iter().flat_map(|(x, w)| [(0.5 - x, w), (0.5 + x, w)]) {
+                for (x, weight) in unit_points(&GAUSS_8) {
                     let u = width * (part as f64 + x);
                     term(from + u, a + u * (b + u * (c + u * d)), weight * width);
                 }
@@ -230,7 +231,7 @@ impl GasPiston {
             let parts = ((pair[1] - pair[0]) / self.width).ceil().max(1.0);
             let width = (pair[1] - pair[0]) / parts;
             for part in 0..parts as usize {
-                for (x, weight) in GAUSS.iter().flat_map(|(x, w)| [(0.5 - x, w), (0.5 + x, w)]) {
+                for (x, weight) in unit_points(&GAUSS_8) {
                     let own = pair[0] + width * (part as f64 + x);
                     sum += weight * width * force.at(own) * self.lever(own, Lever::Exact);
                 }

@@ -1,7 +1,7 @@
 //! What may be asked of a torque calculation, and why it may be refused.
 
-use crate::curves::curve::CurveError;
 use crate::inertia::request::{Kinematics, LoadError, LoadRequest};
+use lanchester_results::CurveError;
 use serde::Serialize;
 
 /// Lever with which the force along the cylinder axis turns the crank.

@@ -1,10 +1,10 @@
 //! What a torque calculation returns: plain data, SI and radians.
 
-use crate::curves::extreme::{Extreme, Extremes};
-use crate::inertia::result::OrderLoads;
 use crate::speed::energy::EnergyVariation;
 use crate::torque::firing_chart::FiringChart;
 use crate::torque::request::Lever;
+use lanchester_results::OrderLoads;
+use lanchester_results::{Extreme, Extremes};
 use num_complex::Complex64;
 use serde::Serialize;
 

@@ -1,6 +1,5 @@
 //! Torque of an engine without gas: that of the inertia of pistons and rods alone, whose mean over a revolution is zero.
 
-use crate::curves::extreme::{Extreme, Extremes};
 use crate::inertia::request::LoadRequest;
 use crate::speed::energy::{Breaks, EnergyVariation, STRETCHES};
 use crate::torque::cycle::{InertiaTorque, inertia_orders};
@@ -13,6 +12,7 @@ use crate::torque::result::{
 use crate::train::mechanism::{Selection, period};
 use crate::train::motion::motion;
 use lanchester_model::Engine;
+use lanchester_results::{Extreme, Extremes};
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 

@@ -1,6 +1,5 @@
 //! Motion of every cylinder: dead centres, strokes, speeds, rod angles.
 
-use crate::curves::extreme::Extremes;
 use crate::curves::extremes::extremes_over_turn;
 use crate::inertia::request::{LoadError, LoadRequest};
 use crate::inertia::result::{Articulation, CylinderMotion, MotionTrace};
@@ -8,7 +7,12 @@ use crate::train::chamber::chamber_motion;
 use crate::train::drive::{Drive, Linkage};
 use crate::train::mechanism::{linkage, master_of, period};
 use lanchester_model::Engine;
+use lanchester_numerics::within_period;
+use lanchester_results::Extremes;
 use std::f64::consts::{PI, TAU};
+
+/// Share of a period that counts as none.
+const SAME: f64 = 1e-14;
 
 /// Angles of a turn that are scanned before extremes are refined, at least and at most.
 const SCAN: [usize; 2] = [720, 1 << 16];
@@ -40,12 +44,6 @@ impl DeadCentres {
         };
         DeadCentres { top_angle, bottom_angle, top, stroke: top - bottom }
     }
-}
-
-/// `angle` moved by whole periods into [0, period), where the end of the period is its start.
-fn reduced(angle: f64, period: f64) -> f64 {
-    let reduced = angle.rem_euclid(period);
-    if reduced > period * (1.0 - 1e-14) { 0.0 } else { reduced }
 }
 
 /// `angle` moved by whole turns into (-pi, pi].
@@ -92,7 +90,8 @@ fn firing_angle(engine: &Engine, index: usize, top_dead_centre: f64) -> Option<f
     let crankshaft = engine.throws[engine.cylinders[index].throw].crankshaft;
     let turn = TAU / engine.crankshafts[crankshaft].ratio.value().abs();
     let turns = ((nominal - top_dead_centre) / turn).round();
-    Some(reduced(top_dead_centre + turns * turn, engine.working_cycle(index)))
+    let cycle = engine.working_cycle(index);
+    Some(within_period(top_dead_centre + turns * turn, cycle, SAME * cycle))
 }
 
 fn cylinder_motion(
@@ -112,7 +111,7 @@ fn cylinder_motion(
     let ratio = engine.crankshafts[engine.throws[cylinder.throw].crankshaft].ratio.value();
     let turn = TAU / ratio.abs();
     let phase = engine.pin_angle(cylinder.throw, 0.0) - axis;
-    let theta = |phi: f64| reduced((phi - phase) / ratio, turn);
+    let theta = |phi: f64| within_period((phi - phase) / ratio, turn, SAME * turn);
     let top_dead_centre = theta(centres.top_angle);
 
     let rate = ratio.abs() * request.speed_of(engine);

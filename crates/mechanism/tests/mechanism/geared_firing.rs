@@ -3,6 +3,7 @@
 use crate::support::assert_close;
 use lanchester_mechanism::*;
 use lanchester_model::*;
+use lanchester_results::{End, PeriodicCurve};
 use lanchester_testkit::gallery::engine as read;
 use std::f64::consts::{PI, TAU};
 

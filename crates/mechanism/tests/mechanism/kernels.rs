@@ -1,7 +1,8 @@
 //! The vector kernels against the scalar code, and with and without vector instructions.
 use crate::support::random::{ALL_SHAPES, any_engine};
 use crate::support::{assert_close, list, scales};
-use lanchester_mechanism::{LoadRequest, Mechanism, Trace};
+use lanchester_mechanism::{LoadRequest, Mechanism};
+use lanchester_results::Trace;
 use proptest::prelude::*;
 
 /// The six components of a trace.

@@ -1,8 +1,9 @@
 //! What must hold for every engine, whatever its shape.
 use crate::support::random::{ALL_SHAPES, any_engine};
 use crate::support::{assert_close, brute, list, odd_angles, scales};
-use lanchester_mechanism::{Components, LoadRequest, Mechanism, Part, PeakMode, Selection, loads};
+use lanchester_mechanism::{LoadRequest, Mechanism, Part, PeakMode, Selection, loads};
 use lanchester_model::Engine;
+use lanchester_results::Components;
 use num_complex::Complex64;
 use proptest::prelude::*;
 

@@ -1,8 +1,9 @@
 //! Orders against a Fourier transform of the exact trace.
 use crate::support::assert_close;
 use crate::support::random::{ALL_SHAPES, PLAIN, any_engine};
-use lanchester_mechanism::{Kinematics, LoadRequest, Mechanism, OrderLoads};
+use lanchester_mechanism::{Kinematics, LoadRequest, Mechanism};
 use lanchester_model::Engine;
+use lanchester_results::OrderLoads;
 use num_complex::Complex64;
 use proptest::prelude::*;
 use rustfft::FftPlanner;

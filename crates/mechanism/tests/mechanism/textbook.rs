@@ -1,8 +1,9 @@
 //! What every textbook says of the common layouts: which loads vanish, and which stand right beside them.
 use crate::support;
 use crate::support::{assert_close, engine, in_line, throw, vee};
-use lanchester_mechanism::{LoadRequest, Mechanism, OrderLoads};
+use lanchester_mechanism::{LoadRequest, Mechanism};
 use lanchester_model::Engine;
+use lanchester_results::OrderLoads;
 
 /// Orders of an engine about the origin.
 fn orders(engine: &Engine) -> Vec<OrderLoads> {

@@ -7,6 +7,7 @@ use crate::support::{assert_close, brute, cylinder, engine, in_line, radial, thr
 use lanchester_file::{read, template};
 use lanchester_mechanism::*;
 use lanchester_model::*;
+use lanchester_results::PeriodicCurve;
 use proptest::prelude::*;
 use std::f64::consts::{PI, TAU};
 

@@ -2,11 +2,10 @@
 
 use crate::support::random::{ALL_SHAPES, any_engine};
 use lanchester_file::{read, templates};
-use lanchester_mechanism::{
-    BearingRequest, CylinderGas, LoadRequest, Mechanism, PeriodicCurve, bearing_loads, motion,
-};
+use lanchester_mechanism::{BearingRequest, CylinderGas, LoadRequest, Mechanism, bearing_loads, motion};
 use lanchester_model::{Engine, EngineParts, RodJoint};
 use lanchester_multibody::{Guidance, Instant, Motion, Place, Reactions, RotorInertia, Train};
+use lanchester_results::PeriodicCurve;
 use nalgebra::Vector3;
 use proptest::prelude::*;
 use std::f64::consts::TAU;

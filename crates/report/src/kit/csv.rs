@@ -3,7 +3,8 @@
 use crate::kit::number::phase_degrees;
 use crate::kit::table::{csv_number, push_csv_line};
 use crate::loads::component::Component;
-use lanchester_mechanism::{LoadSet, Loads};
+use lanchester_mechanism::Loads;
+use lanchester_results::LoadSet;
 use num_complex::Complex64;
 
 /// The whole, the parts and the cylinders under the names they have in CSV.

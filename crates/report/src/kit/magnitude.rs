@@ -1,6 +1,7 @@
 //! How large loads are, so that rounding noise is told from loads.
 
-use lanchester_mechanism::{LoadSet, Loads};
+use lanchester_mechanism::Loads;
+use lanchester_results::LoadSet;
 
 /// The largest loads of the whole, of any part or of any cylinder: what has to cancel for a total to vanish.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

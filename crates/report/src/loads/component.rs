@@ -1,7 +1,7 @@
 //! The six components of a load, each with its name, unit and place in the results.
 
 use crate::kit::magnitude::Magnitude;
-use lanchester_mechanism::{Extremes, OrderLoads, Peaks, Trace};
+use lanchester_results::{Extremes, OrderLoads, Peaks, Trace};
 use num_complex::Complex64;
 
 /// A component.

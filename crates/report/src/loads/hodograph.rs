@@ -7,8 +7,9 @@ use crate::kit::number::{self, Scale};
 use crate::kit::plot::Legend;
 use crate::kit::svg::{Anchor, Path, Svg, text_width};
 use crate::kit::view::View;
-use lanchester_mechanism::{Loads, OrderLoads};
+use lanchester_mechanism::Loads;
 use lanchester_model::Rotation;
+use lanchester_results::OrderLoads;
 use num_complex::Complex64;
 use std::f64::consts::{FRAC_PI_2, TAU};
 

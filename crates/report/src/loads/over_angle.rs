@@ -5,7 +5,8 @@ use crate::kit::magnitude::Magnitude;
 use crate::kit::number;
 use crate::kit::plot::{AnglePlot, Series};
 use crate::loads::component::Component;
-use lanchester_mechanism::{LoadSet, Loads, Part};
+use lanchester_mechanism::{Loads, Part};
+use lanchester_results::LoadSet;
 use num_complex::Complex64;
 
 /// The components that matter, each split by kind of part and by order, then the resultants.

@@ -3,7 +3,8 @@
 use crate::kit::figure::Figure;
 use crate::kit::magnitude::Magnitude;
 use crate::kit::plot::{Bar, BarPlot};
-use lanchester_mechanism::{Loads, OrderLoads};
+use lanchester_mechanism::Loads;
+use lanchester_results::OrderLoads;
 
 /// Force by order, against the crank to the left, with it to the right.
 pub fn force_spectrum(loads: &Loads) -> Figure {

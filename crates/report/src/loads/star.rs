@@ -5,8 +5,9 @@ use crate::kit::magnitude::Magnitude;
 use crate::kit::number::{self, Scale};
 use crate::kit::svg::{Anchor, Svg, text_width};
 use crate::kit::view::View;
-use lanchester_mechanism::{Loads, OrderLoads};
+use lanchester_mechanism::Loads;
 use lanchester_model::Rotation;
+use lanchester_results::OrderLoads;
 use num_complex::Complex64;
 
 const WIDTH: f64 = 240.0;

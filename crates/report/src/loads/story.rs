@@ -7,8 +7,9 @@ use crate::kit::svg::{Anchor, Svg, wrap};
 use crate::kit::view::View;
 use crate::loads::component::Component;
 use crate::loads::star::{Bundle, bundles, draw_fan};
-use lanchester_mechanism::{LoadSet, Loads, OrderLoads, Part};
+use lanchester_mechanism::{Loads, Part};
 use lanchester_model::Engine;
+use lanchester_results::{LoadSet, OrderLoads};
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 

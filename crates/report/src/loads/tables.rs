@@ -4,7 +4,8 @@ use crate::kit::magnitude::Magnitude;
 use crate::kit::number;
 use crate::kit::table::{Cell, Column, Table, column_cells};
 use crate::loads::component::Component;
-use lanchester_mechanism::{Extremes, LoadSet, Loads, OrderLoads, Part, Peaks};
+use lanchester_mechanism::{Loads, Part};
+use lanchester_results::{Extremes, LoadSet, OrderLoads, Peaks};
 use num_complex::Complex64;
 
 /// Extremes of every component over the cycle.

@@ -5,8 +5,9 @@ use crate::kit::figure::{Figure, Panel};
 use crate::kit::plot::{AnglePlot, Series};
 use crate::loads::share_plot::share_plots;
 use lanchester_balance::{Active, Answer};
-use lanchester_mechanism::{Loads, Trace};
+use lanchester_mechanism::Loads;
 use lanchester_model::Engine;
+use lanchester_results::Trace;
 use lanchester_task::{Criterion, Load, criterion_name};
 
 /// A force or moment below this [N], [N m] is rounding, and no curve is drawn of it.

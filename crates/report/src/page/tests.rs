@@ -4,8 +4,9 @@ use super::*;
 use crate::sample;
 use crate::{engine_section, loads_sections, motion_section};
 use lanchester_file::templates;
-use lanchester_mechanism::{LoadRequest, Loads, OrderLoads};
+use lanchester_mechanism::{LoadRequest, Loads};
 use lanchester_model::{BalanceShaft, Engine, Mount, Ratio, ShaftWeight};
+use lanchester_results::OrderLoads;
 use num_complex::Complex64;
 
 /// Checks that a text is well-formed XML: tags nest, attributes are quoted and unique, entities are known.

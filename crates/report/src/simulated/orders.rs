@@ -5,6 +5,7 @@ use crate::kit::number;
 use crate::kit::table::{Cell, Column, Table, csv_number, push_csv_line};
 use crate::simulated::figure::{curve, figure, panel};
 use crate::simulated::result::SimulationResult;
+use lanchester_results::{OrderLoads, TwoSided, amplitude};
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 
@@ -15,23 +16,15 @@ const MOST: f64 = 24.0;
 /// Orders below this share of the largest of every kind are left out of the table.
 const NOTHING: f64 = 1e-6;
 
-/// One order of the last period: what the crank train does to the block, at its shaft, and how speed and block follow.
+/// One order of the last period: what the crank train does to the block and at its shaft, and how speed and block follow.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SimulatedOrder {
-    /// Cycles a revolution of crankshaft 1.
-    pub order: f64,
-    /// Parts of the force on the block that turn with the crank and against it [N].
-    pub force: [Complex64; 2],
-    /// The same of the couple about the origin [N m].
-    pub couple: [Complex64; 2],
-    /// Roll moment on the block [N m], modulus = amplitude.
-    pub roll_moment: Complex64,
-    /// Torque that the crank train delivers at crankshaft 1 [N m].
-    pub shaft_torque: Complex64,
+    /// Loads on the block and torque at crankshaft 1.
+    pub loads: OrderLoads,
     /// Speed of crankshaft 1 [rad/s].
     pub speed: Complex64,
     /// Parts of the motion of the block's origin across the crank axis [m]; 0 with a fixed block.
-    pub motion: [Complex64; 2],
+    pub motion: TwoSided,
 }
 
 impl SimulationResult {
@@ -53,35 +46,32 @@ impl SimulationResult {
             return Vec::new();
         }
         let range = range.start..range.start + count;
-        let of = |order: f64, value: &dyn Fn(usize) -> Complex64| -> Complex64 {
-            let terms = range.clone().map(|k| value(k) * Complex64::cis(-order * samples.theta[k]));
-            terms.sum::<Complex64>() / count as f64
-        };
-        // Both senses of what is a vector; a mean turns neither way.
-        let sides = |order: f64, value: &dyn Fn(usize) -> Complex64| {
-            if order == 0.0 {
-                [of(0.0, value), Complex64::ZERO]
-            } else {
-                [of(order, value), of(-order, value)]
-            }
-        };
-        let amplitude = |order: f64, value: &dyn Fn(usize) -> f64| {
-            of(order, &|k| value(k).into()) * if order == 0.0 { 1.0 } else { 2.0 }
-        };
-        let block = |k: usize| &samples.reactions[k].on_block;
+        let loads = samples.block_loads(range.clone());
+        let (start, revolutions) = (theta[0], f64::from(self.revolutions));
+        let motion: Vec<Complex64> = samples
+            .position
+            .get(range.clone())
+            .unwrap_or_default()
+            .iter()
+            .map(|p| Complex64::new(p[0], p[1]))
+            .collect();
         let highest = (MOST * f64::from(self.revolutions)).min(count as f64 / 4.0) as u32;
         let orders = (0..=highest).map(|cycles| {
             let order = f64::from(cycles) / f64::from(self.revolutions);
             SimulatedOrder {
-                order,
-                force: sides(order, &|k| Complex64::new(block(k).force[0], block(k).force[1])),
-                couple: sides(order, &|k| Complex64::new(block(k).moment[0], block(k).moment[1])),
-                roll_moment: amplitude(order, &|k| block(k).moment[2]),
-                shaft_torque: amplitude(order, &|k| samples.reactions[k].shaft_torque),
-                speed: amplitude(order, &|k| samples.speed[k]),
-                motion: sides(order, &|k| {
-                    samples.position.get(k).map_or(Complex64::ZERO, |p| Complex64::new(p[0], p[1]))
-                }),
+                loads: loads.order(order, period),
+                speed: amplitude(
+                    samples.speed[range.clone()].iter().copied(),
+                    count,
+                    start,
+                    revolutions,
+                    order,
+                ),
+                motion: if motion.is_empty() {
+                    TwoSided::default()
+                } else {
+                    TwoSided::of_samples(&motion, start, revolutions, order)
+                },
             }
         });
         orders.collect()
@@ -91,15 +81,15 @@ impl SimulationResult {
 /// Sizes of one order in the order of the columns.
 fn sizes(one: &SimulatedOrder) -> [f64; 9] {
     [
-        one.force[0].norm(),
-        one.force[1].norm(),
-        one.couple[0].norm(),
-        one.couple[1].norm(),
-        one.roll_moment.norm(),
-        one.shaft_torque.norm(),
+        one.loads.force_forward.norm(),
+        one.loads.force_backward.norm(),
+        one.loads.couple_forward.norm(),
+        one.loads.couple_backward.norm(),
+        one.loads.roll_moment.norm(),
+        one.loads.shaft_torque.norm(),
         number::rpm(one.speed.norm()),
-        1e3 * one.motion[0].norm(),
-        1e3 * one.motion[1].norm(),
+        1e3 * one.motion.forward.norm(),
+        1e3 * one.motion.backward.norm(),
     ]
 }
 
@@ -119,21 +109,21 @@ const COLUMNS: [(&str, &str); 9] = [
 pub(crate) fn orders_table(result: &SimulationResult) -> Option<Table> {
     let orders = result.orders();
     let mut largest = [0.0f64; 9];
-    for one in orders.iter().filter(|one| one.order > 0.0) {
+    for one in orders.iter().filter(|one| one.loads.order > 0.0) {
         largest.iter_mut().zip(sizes(one)).for_each(|(most, size)| *most = most.max(size));
     }
     let moves = !result.run.samples.position.is_empty();
     let kept = if moves { 9 } else { 7 };
     let rows: Vec<Vec<Cell>> = orders
         .iter()
-        .filter(|one| one.order <= SHOWN)
+        .filter(|one| one.loads.order <= SHOWN)
         .filter(|one| {
             sizes(one)[..kept].iter().zip(largest).any(|(size, most)| *size > NOTHING * most && most > 0.0)
         })
         .map(|one| {
-            let mut row = vec![Cell::number(one.order, 3)];
+            let mut row = vec![Cell::number(one.loads.order, 3)];
             row.extend(sizes(one)[..kept].iter().zip(largest).map(|(size, most)| {
-                Cell::number(if *size > NOTHING * most || one.order == 0.0 { *size } else { 0.0 }, 4)
+                Cell::number(if *size > NOTHING * most || one.loads.order == 0.0 { *size } else { 0.0 }, 4)
             }));
             row
         })
@@ -170,20 +160,20 @@ pub fn simulation_orders_csv(result: &SimulationResult) -> String {
     let heads = names.iter().flat_map(|name| [format!("re {name}"), format!("im {name}")]);
     push_csv_line(&mut out, std::iter::once("order".to_owned()).chain(heads));
     for one in result.orders() {
-        let [force, couple, motion] = [one.force, one.couple, one.motion];
+        let loads = &one.loads;
         let all = [
-            force[0],
-            force[1],
-            couple[0],
-            couple[1],
-            one.roll_moment,
-            one.shaft_torque,
+            loads.force_forward,
+            loads.force_backward,
+            loads.couple_forward,
+            loads.couple_backward,
+            loads.roll_moment,
+            loads.shaft_torque,
             one.speed,
-            motion[0],
-            motion[1],
+            one.motion.forward,
+            one.motion.backward,
         ];
         let values = all.iter().flat_map(|value| [value.re, value.im]);
-        push_csv_line(&mut out, std::iter::once(one.order).chain(values).map(csv_number));
+        push_csv_line(&mut out, std::iter::once(loads.order).chain(values).map(csv_number));
     }
     out
 }

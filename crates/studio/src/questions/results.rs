@@ -7,8 +7,9 @@ use crate::questions::reading::{engine, engine_file};
 use lanchester::film::Cavitation;
 use lanchester::mechanism::{
     BearingLoads, BearingPart, BearingRequest, InternalMoments, InternalRequest, LoadRequest, Loads,
-    MotionTrace, MountStudy, TorqueRequest, Trace, internal_cases, loads,
+    MotionTrace, MountStudy, TorqueRequest, internal_cases, loads,
 };
+use lanchester::results::Trace;
 use lanchester::study::compare::{Comparison, Equal, Held};
 use lanchester::{
     BearingFilms, CompareEntry, CompareRequest, ComparedWith, MountSpeeds, TorqueReport, TorqueReportRequest,

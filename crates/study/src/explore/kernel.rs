@@ -15,9 +15,10 @@ use crate::explore::layout::{Layout, cylinder, engine};
 use crate::explore::layout_orders::{LayoutOrders, ROW};
 use crate::explore::parts::Parts;
 use lanchester_mechanism::{
-    Beam, BeamModel, LoadError, LoadRequest, Mechanism, OrderLoads, Part, Selection, turning_loads,
+    Beam, BeamModel, LoadError, LoadRequest, Mechanism, Part, Selection, turning_loads,
 };
 use lanchester_model::Throw;
+use lanchester_results::OrderLoads;
 use num_complex::Complex64;
 
 /// Loads of one cylinder on axis 0, in the plane of the origin, with the crank at 0: orders 1 and 2.

@@ -10,7 +10,7 @@ pub(super) const ROW: usize = 24;
 
 /// First- and second-order loads of a layout; index 0 is order 1, index 1 is order 2.
 ///
-/// As in `lanchester_mechanism::OrderLoads`: force and couple are coefficients of `e^{i n theta}` (index 0, forward) and
+/// As in `lanchester_results::OrderLoads`: force and couple are coefficients of `e^{i n theta}` (index 0, forward) and
 /// `e^{-i n theta}` (index 1, backward); the modulus of roll moment and torque is their amplitude.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, schemars::JsonSchema)]
 pub struct LayoutOrders {

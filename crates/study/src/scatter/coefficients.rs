@@ -4,8 +4,8 @@
 //! polynomial through a few points (of Chebyshev, in each direction) is as exact as the coefficients themselves; its
 //! degree rises until it is, checked between the points.
 
-use crate::scatter::lanes::{ComplexLanes, Lanes, ZERO, map};
 use lanchester_mechanism::{LoadError, exact_coefficients};
+use lanchester_numerics::{ComplexLanes, Lanes};
 use num_complex::Complex64;
 
 /// Largest error that is let stand, over `c_1 = 1`.
@@ -132,7 +132,7 @@ impl CoefficientRange {
                 let (ratio, offset) = (self.ratio.at(u), self.offset.at(v));
                 let exact = exact_coefficients(ratio, 1.0, offset, highest)?;
                 for (place, &order) in orders.iter().enumerate() {
-                    let got = self.at(place, &[ratio; 8], &[offset; 8]);
+                    let got = self.at(place, &Lanes::all(ratio), &Lanes::all(offset));
                     let off = Complex64::new(got.re[0], got.im[0]) - exact[order as usize];
                     worst = worst.max(off.norm());
                 }
@@ -152,23 +152,23 @@ impl CoefficientRange {
     /// Coefficient of the order at `place` in the list.
     #[inline]
     pub fn at(&self, place: usize, ratio: &Lanes, offset: &Lanes) -> ComplexLanes {
-        let u = map(|i| self.ratio.unit(ratio[i]));
-        let v = map(|i| self.offset.unit(offset[i]));
+        let u = Lanes::each(|i| self.ratio.unit(ratio[i]));
+        let v = Lanes::each(|i| self.offset.unit(offset[i]));
         let [across, along] = self.powers;
         let terms = &self.terms[place * across * along..][..across * along];
         let mut sum = ComplexLanes::ZERO;
         for row in terms.chunks_exact(across).rev() {
-            let mut re = ZERO;
+            let mut re = Lanes::ZERO;
             for term in row.iter().rev() {
-                re = map(|i| re[i] * u[i] + term.re);
+                re = Lanes::each(|i| re[i] * u[i] + term.re);
             }
-            sum.re = map(|i| sum.re[i] * v[i] + re[i]);
+            sum.re = Lanes::each(|i| sum.re[i] * v[i] + re[i]);
             if self.complex[place] {
-                let mut im = ZERO;
+                let mut im = Lanes::ZERO;
                 for term in row.iter().rev() {
-                    im = map(|i| im[i] * u[i] + term.im);
+                    im = Lanes::each(|i| im[i] * u[i] + term.im);
                 }
-                sum.im = map(|i| sum.im[i] * v[i] + im[i]);
+                sum.im = Lanes::each(|i| sum.im[i] * v[i] + im[i]);
             }
         }
         sum

@@ -7,7 +7,6 @@ mod assignment;
 mod coefficients;
 mod deviated;
 mod error;
-mod lanes;
 mod model;
 mod peak;
 mod request;
@@ -19,6 +18,7 @@ mod statistics;
 pub(crate) mod stream;
 mod study;
 mod tolerance;
+mod turned;
 mod worst;
 
 pub use assignment::{Assignment, AssignmentRequest, WeighedRod, assign, standard_lever};

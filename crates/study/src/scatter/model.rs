@@ -9,10 +9,11 @@
 
 use crate::scatter::coefficients::{CoefficientRange, Span};
 use crate::scatter::error::ScatterError;
-use crate::scatter::lanes::{ComplexLanes, Lanes, ZERO, map};
 use crate::scatter::tolerance::Variable;
+use crate::scatter::turned::turned;
 use lanchester_mechanism::{LoadRequest, Mechanism, exact_coefficients};
 use lanchester_model::{Engine, RodJoint};
+use lanchester_numerics::{ComplexLanes, Lanes};
 use lanchester_task::{Tolerance, Varied};
 
 /// Orders below this share of the first are left out.
@@ -27,10 +28,10 @@ type Sum = Vec<u32>;
 /// Sum of some variables.
 #[inline]
 fn sum(places: &[u32], deviations: &[Lanes]) -> Lanes {
-    let mut total = ZERO;
+    let mut total = Lanes::ZERO;
     for &place in places {
         let one = &deviations[place as usize];
-        total = map(|i| total[i] + one[i]);
+        total = Lanes::each(|i| total[i] + one[i]);
     }
     total
 }
@@ -48,7 +49,7 @@ impl Value {
     #[inline]
     fn at(&self, deviations: &[Lanes]) -> Lanes {
         let total = sum(&self.deviations, deviations);
-        map(|i| self.nominal + total[i])
+        Lanes::each(|i| self.nominal + total[i])
     }
 
     fn span(&self) -> [f64; 2] {
@@ -251,11 +252,11 @@ impl Model {
             let unbalance = part.unbalance.at(deviations);
             let turned = direction(&part.angle, deviations);
             let force = ComplexLanes {
-                re: map(|i| unbalance[i] * part.square * turned.re[i]),
-                im: map(|i| unbalance[i] * part.square * turned.im[i]),
+                re: Lanes::each(|i| unbalance[i] * part.square * turned.re[i]),
+                im: Lanes::each(|i| unbalance[i] * part.square * turned.im[i]),
             };
             let [place, sense] = part.slot;
-            add(out, place, sense, &force, &[part.plane; 8]);
+            add(out, place, sense, &force, &Lanes::all(part.plane));
         }
     }
 
@@ -319,19 +320,19 @@ impl Model {
 #[inline]
 fn direction(angle: &Value, deviations: &[Lanes]) -> ComplexLanes {
     let (sin, cos) = angle.nominal.sin_cos();
-    ComplexLanes::turned(cos, sin, &sum(&angle.deviations, deviations))
+    turned(cos, sin, &sum(&angle.deviations, deviations))
 }
 
 /// Adds a force in a plane to force and couple.
 #[inline]
 fn add(out: &mut Spectrum, place: usize, sense: usize, force: &ComplexLanes, plane: &Lanes) {
     let sum = &mut out.force[place][sense];
-    sum.re = map(|i| sum.re[i] + force.re[i]);
-    sum.im = map(|i| sum.im[i] + force.im[i]);
+    sum.re = Lanes::each(|i| sum.re[i] + force.re[i]);
+    sum.im = Lanes::each(|i| sum.im[i] + force.im[i]);
     // i z F.
     let sum = &mut out.couple[place][sense];
-    sum.re = map(|i| sum.re[i] - plane[i] * force.im[i]);
-    sum.im = map(|i| sum.im[i] + plane[i] * force.re[i]);
+    sum.re = Lanes::each(|i| sum.re[i] - plane[i] * force.im[i]);
+    sum.im = Lanes::each(|i| sum.im[i] + plane[i] * force.re[i]);
 }
 
 impl CylinderModel {
@@ -340,31 +341,34 @@ impl CylinderModel {
         let (radius, length) = (self.radius.at(deviations), self.length.at(deviations));
         let (offset, plane) = (self.offset.at(deviations), self.plane.at(deviations));
         let moved = self.centre.at(deviations);
-        let moved = map(|i| moved[i] * self.rod_mass_per_length);
+        let moved = Lanes::each(|i| moved[i] * self.rod_mass_per_length);
         let (piston, small) = (self.piston_mass.at(deviations), self.small_end_mass.at(deviations));
         let big = self.big_end_mass.at(deviations);
-        let half = map(|i| 0.5 * (piston[i] + small[i] + moved[i]) * radius[i] * square);
-        let (ratio, offset) = (map(|i| radius[i] / length[i]), map(|i| offset[i] / length[i]));
+        let half = Lanes::each(|i| 0.5 * (piston[i] + small[i] + moved[i]) * radius[i] * square);
+        let (ratio, offset) =
+            (Lanes::each(|i| radius[i] / length[i]), Lanes::each(|i| offset[i] / length[i]));
         let throw = direction(&self.throw, deviations);
         let axis = direction(&self.axis, deviations);
         let pin = ComplexLanes {
-            re: map(|i| (big[i] - moved[i]) * radius[i] * square * throw.re[i]),
-            im: map(|i| (big[i] - moved[i]) * radius[i] * square * throw.im[i]),
+            re: Lanes::each(|i| (big[i] - moved[i]) * radius[i] * square * throw.re[i]),
+            im: Lanes::each(|i| (big[i] - moved[i]) * radius[i] * square * throw.im[i]),
         };
-        let step = throw.times_conj(&axis);
+        let step = throw.times_conj::<false>(axis);
         let mut turned = step;
         let mut order = 1;
         for (place, &wanted) in model.orders.iter().enumerate() {
             while order < wanted {
-                turned = turned.times(&step);
+                turned = turned.times::<false>(step);
                 order += 1;
             }
             let c = self.coefficients.at(place, &ratio, &offset);
-            let along = turned.times(&c);
-            let along =
-                ComplexLanes { re: map(|i| along.re[i] * half[i]), im: map(|i| along.im[i] * half[i]) };
-            add(out, place, 0, &axis.times(&along), &plane);
-            add(out, place, 1, &axis.times_conj(&along), &plane);
+            let along = turned.times::<false>(c);
+            let along = ComplexLanes {
+                re: Lanes::each(|i| along.re[i] * half[i]),
+                im: Lanes::each(|i| along.im[i] * half[i]),
+            };
+            add(out, place, 0, &axis.times::<false>(along), &plane);
+            add(out, place, 1, &axis.times_conj::<false>(along), &plane);
             if wanted == 1 {
                 add(out, place, 0, &pin, &plane);
             }

@@ -4,7 +4,7 @@
 //! beat the best. Newton's method on the derivative of the square finds each to the last digits. Angles half a turn apart
 //! share the work: their even orders are the same, their odd ones opposite.
 
-use crate::scatter::lanes::{ComplexLanes, Lanes, WIDTH, ZERO, map};
+use lanchester_numerics::{ComplexLanes, LANES, Lanes};
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 
@@ -38,7 +38,7 @@ impl PeakGrid {
                 })
             })
             .collect();
-        PeakGrid { orders: orders.to_vec(), half, turns, squares: vec![ZERO; 2 * half] }
+        PeakGrid { orders: orders.to_vec(), half, turns, squares: vec![Lanes::ZERO; 2 * half] }
     }
 
     /// Largest size over the continuous angle of `SUM forward e^{i n theta} + backward e^{-i n theta}`, by lane.
@@ -49,8 +49,14 @@ impl PeakGrid {
             .iter()
             .map(|[f, b]| {
                 [
-                    ComplexLanes { re: map(|i| f.re[i] + b.re[i]), im: map(|i| f.im[i] + b.im[i]) },
-                    ComplexLanes { re: map(|i| f.re[i] - b.re[i]), im: map(|i| f.im[i] - b.im[i]) },
+                    ComplexLanes {
+                        re: Lanes::each(|i| f.re[i] + b.re[i]),
+                        im: Lanes::each(|i| f.im[i] + b.im[i]),
+                    },
+                    ComplexLanes {
+                        re: Lanes::each(|i| f.re[i] - b.re[i]),
+                        im: Lanes::each(|i| f.im[i] - b.im[i]),
+                    },
                 ]
             })
             .collect();
@@ -60,15 +66,16 @@ impl PeakGrid {
                 let (cos, sin) = self.turns[j * count + k];
                 let [sum, difference] = &senses[k];
                 let part = &mut parts[self.orders[k] as usize % 2];
-                part.re = map(|i| part.re[i] + (sum.re[i] * cos - difference.im[i] * sin));
-                part.im = map(|i| part.im[i] + (sum.im[i] * cos + difference.re[i] * sin));
+                part.re = Lanes::each(|i| part.re[i] + (sum.re[i] * cos - difference.im[i] * sin));
+                part.im = Lanes::each(|i| part.im[i] + (sum.im[i] * cos + difference.re[i] * sin));
             }
             let [even, odd] = &parts;
-            self.squares[j] = map(|i| (even.re[i] + odd.re[i]).powi(2) + (even.im[i] + odd.im[i]).powi(2));
+            self.squares[j] =
+                Lanes::each(|i| (even.re[i] + odd.re[i]).powi(2) + (even.im[i] + odd.im[i]).powi(2));
             self.squares[j + self.half] =
-                map(|i| (even.re[i] - odd.re[i]).powi(2) + (even.im[i] - odd.im[i]).powi(2));
+                Lanes::each(|i| (even.re[i] - odd.re[i]).powi(2) + (even.im[i] - odd.im[i]).powi(2));
         }
-        map(|lane| self.lane(spectrum, lane).sqrt())
+        Lanes::each(|lane| self.lane(spectrum, lane).sqrt())
     }
 
     /// Largest square of one lane.
@@ -140,4 +147,4 @@ impl PeakGrid {
     }
 }
 
-const _: () = assert!(WIDTH == 8);
+const _: () = assert!(LANES == 8);

@@ -1,12 +1,12 @@
 //! Samples drawn and judged, eight at a time.
 
 use crate::scatter::error::ScatterError;
-use crate::scatter::lanes::{Lanes, ZERO, map};
 use crate::scatter::model::{Model, Spectrum};
 use crate::scatter::peak::PeakGrid;
 use crate::scatter::request::{Output, ScatterRequest};
 use crate::scatter::stream::{Shape, Stream};
 use crate::scatter::tolerance::{Variable, variables};
+use lanchester_numerics::Lanes;
 
 /// Draws, prepared.
 pub(crate) struct Sampler {
@@ -41,7 +41,7 @@ impl Sampler {
 
     pub fn buffers(&self) -> Buffers {
         Buffers {
-            deviations: vec![ZERO; self.variables.len()],
+            deviations: vec![Lanes::ZERO; self.variables.len()],
             spectrum: Spectrum::default(),
             grid: self.peaks.then(|| PeakGrid::new(&self.model.orders)),
         }
@@ -51,7 +51,7 @@ impl Sampler {
     pub fn samples(&self, first: u64, buffers: &mut Buffers, values: &mut [Lanes]) {
         for (deviation, (shape, stream, half)) in buffers.deviations.iter_mut().zip(&self.draws) {
             let draw = shape.draw(*stream, first);
-            *deviation = map(|i| draw[i] * half);
+            *deviation = Lanes::each(|i| draw[i] * half);
         }
         let deviations = std::mem::take(&mut buffers.deviations);
         self.outputs_of(&deviations, buffers, values);
@@ -66,20 +66,20 @@ impl Sampler {
             let quantity = if output.is_couple() { &spectrum.couple } else { &spectrum.force };
             let size = |place: usize, sense: usize| {
                 let c = &quantity[place][sense];
-                map(|i| (c.re[i] * c.re[i] + c.im[i] * c.im[i]).sqrt())
+                Lanes::each(|i| (c.re[i] * c.re[i] + c.im[i] * c.im[i]).sqrt())
             };
             // Orders 1 and 2 are always the first two.
             *value = match *output {
                 Output::Force { order } | Output::Couple { order } => {
                     let place = order as usize - 1;
                     let (forward, backward) = (size(place, 0), size(place, 1));
-                    map(|i| forward[i] + backward[i])
+                    Lanes::each(|i| forward[i] + backward[i])
                 }
                 Output::ForceSense { order, sense } | Output::CoupleSense { order, sense } => {
                     size(order as usize - 1, sense as usize)
                 }
                 Output::PeakForce | Output::PeakCouple => {
-                    grid.as_mut().map_or(ZERO, |grid| grid.peaks(quantity))
+                    grid.as_mut().map_or(Lanes::ZERO, |grid| grid.peaks(quantity))
                 }
             };
         }
@@ -87,8 +87,8 @@ impl Sampler {
 
     /// Outputs of the nominal engine.
     pub fn nominal(&self) -> Vec<f64> {
-        let mut values = vec![ZERO; self.outputs.len()];
-        let zero = vec![ZERO; self.variables.len()];
+        let mut values = vec![Lanes::ZERO; self.outputs.len()];
+        let zero = vec![Lanes::ZERO; self.variables.len()];
         self.outputs_of(&zero, &mut self.buffers(), &mut values);
         values.iter().map(|lanes| lanes[0]).collect()
     }

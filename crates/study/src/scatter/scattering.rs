@@ -2,13 +2,13 @@
 
 use crate::scatter::deviated::deviated;
 use crate::scatter::error::ScatterError;
-use crate::scatter::lanes::{WIDTH, ZERO};
 use crate::scatter::request::{Output, ScatterRequest};
 use crate::scatter::result::{Capability, Deviation, OutputScatter, Percentile, SCATTER_VERSION, Scatter};
 use crate::scatter::sampler::Sampler;
 use crate::scatter::share::{SHARED, shares};
 use crate::scatter::statistics::{MOST_KEPT, Statistics, at_share};
 use lanchester_model::{Engine, Fault};
+use lanchester_numerics::{LANES, Lanes};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
@@ -140,11 +140,11 @@ impl Scattering {
             };
         }
         let mut buffers = self.sampler.buffers();
-        let mut values = vec![ZERO; self.request.outputs.len()];
+        let mut values = vec![Lanes::ZERO; self.request.outputs.len()];
         let mut first = samples.start;
         while first < samples.end {
             self.sampler.samples(first, &mut buffers, &mut values);
-            let count = (samples.end - first).min(WIDTH as u64) as usize;
+            let count = (samples.end - first).min(LANES as u64) as usize;
             for lane in 0..count {
                 for (own, lanes) in found.statistics.iter_mut().zip(&values) {
                     own.add(first + lane as u64, lanes[lane]);
@@ -156,7 +156,7 @@ impl Scattering {
             if let Some(drawn) = drawn.as_deref_mut() {
                 let own = drawn.deviations.iter_mut().zip(&buffers.deviations);
                 for (column, lanes) in own.chain(drawn.outputs.iter_mut().zip(&values)) {
-                    column.extend_from_slice(&lanes[..count]);
+                    column.extend_from_slice(&lanes.0[..count]);
                 }
             }
             first += count as u64;

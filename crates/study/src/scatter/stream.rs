@@ -4,7 +4,7 @@
 //! variable give. So sample `k` is the same on any thread, in any part of a run, and whatever else is drawn. The normal
 //! distribution comes by its inverse (Wichura 1988, algorithm AS 241, relative error about 1e-16).
 
-use crate::scatter::lanes::{Lanes, WIDTH, ZERO, map};
+use lanchester_numerics::{LANES, Lanes};
 use lanchester_task::Distribution;
 
 /// Step of the counter: the golden ratio as an odd number.
@@ -61,20 +61,20 @@ impl Shape {
     /// Draws of eight samples from `first` on.
     #[inline]
     pub fn draw(self, stream: Stream, first: u64) -> Lanes {
-        let uniform = map(|i| stream.uniform(first + i as u64));
+        let uniform = Lanes::each(|i| stream.uniform(first + i as u64));
         match self {
-            Shape::Uniform => map(|i| 2.0 * uniform[i] - 1.0),
+            Shape::Uniform => Lanes::each(|i| 2.0 * uniform[i] - 1.0),
             Shape::Normal { sigmas, tail } => {
                 let inside = 1.0 - 2.0 * tail;
                 // Symmetric about the middle to the last digit.
-                let q = map(|i| (uniform[i] - 0.5) * inside);
+                let q = Lanes::each(|i| (uniform[i] - 0.5) * inside);
                 let mut x = central(&q);
-                for i in 0..WIDTH {
+                for i in 0..LANES {
                     if q[i].abs() > 0.425 {
                         x[i] = outer(q[i]);
                     }
                 }
-                map(|i| (x[i] / sigmas).clamp(-1.0, 1.0))
+                Lanes::each(|i| (x[i] / sigmas).clamp(-1.0, 1.0))
             }
         }
     }
@@ -93,7 +93,7 @@ fn lower_tail(sigmas: f64) -> f64 {
 /// Quantile of the normal distribution at probability `0.5 + q`.
 fn quantile(q: f64) -> f64 {
     if q.abs() <= 0.425 {
-        let mut lanes = ZERO;
+        let mut lanes = Lanes::ZERO;
         lanes[0] = q;
         central(&lanes)[0]
     } else {
@@ -105,7 +105,7 @@ fn quantile(q: f64) -> f64 {
 #[allow(clippy::excessive_precision)]
 #[inline(always)]
 fn central(q: &Lanes) -> Lanes {
-    map(|i| {
+    Lanes::each(|i| {
         let r = 0.180625 - q[i] * q[i];
         let above = ((((((2509.0809287301226727 * r + 33430.575583588128105) * r + 67265.770927008700853)
             * r

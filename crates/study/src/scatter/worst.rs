@@ -1,10 +1,10 @@
 //! The worst combination of deviations: what cannot be exceeded, and what is reached.
 
 use crate::scatter::error::ScatterError;
-use crate::scatter::lanes::{Lanes, WIDTH, ZERO};
 use crate::scatter::request::{Output, ScatterRequest};
 use crate::scatter::sampler::Sampler;
 use crate::scatter::stream::Stream;
+use lanchester_numerics::{LANES, Lanes};
 use serde::Serialize;
 
 /// Corners from which the search goes uphill.
@@ -61,8 +61,8 @@ fn farthest(sampler: &Sampler, output: Output) -> f64 {
 fn climb(request: &ScatterRequest, sampler: &Sampler) -> (f64, Vec<f64>) {
     let count = sampler.variables.len();
     let mut buffers = sampler.buffers();
-    let mut values = [ZERO];
-    let mut lanes: Vec<Lanes> = vec![ZERO; count];
+    let mut values = [Lanes::ZERO];
+    let mut lanes: Vec<Lanes> = vec![Lanes::ZERO; count];
     let mut best = (f64::NEG_INFINITY, Vec::new());
     for start in 0..STARTS {
         let mut corner: Vec<f64> = sampler
@@ -80,9 +80,9 @@ fn climb(request: &ScatterRequest, sampler: &Sampler) -> (f64, Vec<f64>) {
             let mut gain: Option<(f64, Option<usize>)> = None;
             let mut next = 0;
             while next <= count {
-                let turned: Vec<usize> = (next..(next + WIDTH).min(count + 1)).collect();
+                let turned: Vec<usize> = (next..(next + LANES).min(count + 1)).collect();
                 for (index, lane) in lanes.iter_mut().enumerate() {
-                    *lane = [corner[index]; WIDTH];
+                    *lane = Lanes::all(corner[index]);
                     for (k, &turned) in turned.iter().enumerate() {
                         if turned == index + 1 {
                             lane[k] = -corner[index];
@@ -96,7 +96,7 @@ fn climb(request: &ScatterRequest, sampler: &Sampler) -> (f64, Vec<f64>) {
                         gain = Some((value, turned.checked_sub(1)));
                     }
                 }
-                next += WIDTH;
+                next += LANES;
             }
             match gain {
                 Some((value, Some(index))) if value > reached * (1.0 + 1e-12) => {

@@ -7,8 +7,8 @@
 //! it is largest in the plane of a load or of a main bearing. Each plane is a candidate by itself, though others lie in it: when one moves
 //! they part, and an arm bends where two planes meet, so that derivatives differ on both sides.
 
-use super::jet::known;
 use super::mains::planes;
+use super::over_time::known;
 use super::slope::Grown;
 use super::train::{Train, Vector};
 use super::wave::SAME_HEIGHT;
@@ -48,7 +48,8 @@ fn loads(train: &Train<'_>, crankshaft: usize) -> Vec<(Dual64, Vector)> {
     let engine = train.engine;
     let turning = train.turning_on_cranks(known(0.0)).into_iter();
     let own = turning.filter(|turning| turning.crankshaft == crankshaft);
-    let turning = own.map(|turning| (turning.z, turning.direction.map(|jet| -turning.unbalance * jet.bend)));
+    let turning =
+        own.map(|turning| (turning.z, turning.direction.map(|along| -turning.unbalance * along.v2)));
     let rods = engine.cylinders.iter().enumerate().filter_map(|(index, cylinder)| {
         let throw = &engine.throws[cylinder.throw];
         let crank = engine.crankshafts.get(crankshaft).filter(|_| throw.crankshaft == crankshaft)?;

@@ -41,7 +41,7 @@ impl Train<'_> {
     /// Torque of the gas at crankshaft 1 [N m]: the power of its forces over the speed.
     pub fn gas_torque(&self, theta: Dual64, windows: &[Window]) -> Dual64 {
         let power = |index: usize| {
-            let rate = self.rod(theta, index).travel.rate;
+            let rate = self.rod(theta, index).travel.v1;
             -self.gas_force(index, theta, windows) * rate
         };
         (0..self.prepared.gas.len()).map(power).sum::<Dual64>() / self.speed

@@ -3,8 +3,9 @@
 use super::follow::{Weights, follow};
 use super::operating_point::OperatingPoint;
 use super::quantity::{Axis, Measure, Quantity};
-use lanchester_mechanism::{CylinderGas, PeriodicCurve};
+use lanchester_mechanism::CylinderGas;
 use lanchester_model::{Engine, EngineParts, Fault, MountSpring};
+use lanchester_results::PeriodicCurve;
 use lanchester_task::Varied;
 use serde::Serialize;
 

@@ -4,7 +4,7 @@
 //! sides differ.
 
 use super::gas_force::Window;
-use super::jet::known;
+use super::over_time::known;
 use super::quantity::Quantity;
 use super::train::{Train, Vector};
 use lanchester_model::Throw;
@@ -65,7 +65,7 @@ impl Mains {
             sum = [0, 1].map(|k| sum[k] + force[k] * share);
         };
         for turning in train.turning_on_cranks(theta) {
-            let force = turning.direction.map(|jet| -turning.unbalance * jet.bend);
+            let force = turning.direction.map(|along| -turning.unbalance * along.v2);
             add(turning.crankshaft, turning.z, force);
         }
         for (index, forces) in train.pin_forces(theta, windows).into_iter().enumerate() {

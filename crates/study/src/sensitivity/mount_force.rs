@@ -5,7 +5,7 @@
 //! force on a mount = SUM k_j (b_j.Q) a       b_j = ( a, rho x a ),  rho: mount from the centre
 //! ```
 
-use super::jet::known;
+use super::over_time::known;
 use super::quantity::{Axis, Direction, Quantity};
 use super::slope::Grown;
 use super::stretch::Stretch;
@@ -187,7 +187,7 @@ fn moving_parts(train: &Train<'_>) -> Vec<(Dual64, Triple)> {
         for k in 0..ANGLES {
             let rod = train.rod(known(turn * k as f64 / ANGLES as f64), index);
             for (mass, [x, y]) in [(upper, rod.pin), (big, rod.big_end)] {
-                all.push((mass / ANGLES as f64, [x.value, y.value, rod.z]));
+                all.push((mass / ANGLES as f64, [x.re, y.re, rod.z]));
             }
         }
     }

@@ -44,7 +44,7 @@ impl RodMotion {
 
     /// Piston pin from the lower pin.
     fn rod(&self) -> Vector {
-        [0, 1].map(|k| self.pin[k].value - self.big_end[k].value)
+        [0, 1].map(|k| self.pin[k].re - self.big_end[k].re)
     }
 
     /// Forces of this rod with nothing on its knuckles.
@@ -52,18 +52,18 @@ impl RodMotion {
         let [big, small, inertia, piston] = self.masses;
         let (rod, across) = (self.rod(), self.across());
         // What the piston needs but for the wall.
-        let held = plus([0, 1].map(|k| self.piston[k].bend * piston), times(self.axis, gas));
-        let small_end = [0, 1].map(|k| self.pin[k].bend * small);
+        let held = plus([0, 1].map(|k| self.piston[k].v2 * piston), times(self.axis, gas));
+        let small_end = [0, 1].map(|k| self.pin[k].v2 * small);
         let moment = cross(rod, plus(held, small_end)) + inertia * self.spin[1];
         let thrust = moment / cross(rod, across);
         let piston_pin = plus(held, times(across, -thrust));
-        let lower_pin = [0, 1].map(|k| -(piston_pin[k] + small_end[k] + self.big_end[k].bend * big));
+        let lower_pin = [0, 1].map(|k| -(piston_pin[k] + small_end[k] + self.big_end[k].v2 * big));
         PinForces { thrust, piston_pin, lower_pin, on_crank: lower_pin }
     }
 
     /// Thrust on this piston by the force `on_knuckle` at `knuckle`.
     fn thrust_by(&self, knuckle: Vector, on_knuckle: Vector) -> Dual64 {
-        let arm = [0, 1].map(|k| knuckle[k] - self.big_end[k].value);
+        let arm = [0, 1].map(|k| knuckle[k] - self.big_end[k].re);
         -cross(arm, on_knuckle) / cross(self.rod(), self.across())
     }
 }
@@ -82,7 +82,7 @@ impl Train<'_> {
             let RodJoint::Articulated { master, .. } = cylinder.rod.joint else { continue };
             let on_knuckle = forces[index].lower_pin;
             let motion = &motions[master];
-            let thrust = motion.thrust_by(motions[index].big_end.map(|jet| jet.value), on_knuckle);
+            let thrust = motion.thrust_by(motions[index].big_end.map(|along| along.re), on_knuckle);
             let by_wall = times(motion.across(), thrust);
             forces[index].on_crank = plus(on_knuckle, by_wall);
             let own = &mut forces[master];

@@ -3,9 +3,8 @@
 use super::error::SensitivityError;
 use super::operating_point::OperatingPoint;
 use super::output::Output;
-use lanchester_mechanism::{
-    BearingPart, CylinderGas, GasTrain, Lever, LoadRequest, Mechanism, PeriodicCurve, motion,
-};
+use lanchester_mechanism::{BearingPart, CylinderGas, GasTrain, Lever, LoadRequest, Mechanism, motion};
+use lanchester_results::PeriodicCurve;
 
 /// Shares of the range of a pressure, and of that range a radian, beyond which it jumps or bends.
 const JUMP: f64 = 1e-7;

@@ -8,9 +8,10 @@
 use super::gas_force::Window;
 use super::quantity::Quantity;
 use super::slope::Grown;
-use super::stretch::{GAUSS, Stretch};
+use super::stretch::Stretch;
 use super::train::Train;
 use super::wave::{SAME_HEIGHT, crossing};
+use lanchester_numerics::{GAUSS_4, unit_points};
 use num_dual::{Dual64, DualNum};
 
 /// Share of the range of the squares of the speed that hills may fall short of the highest.
@@ -65,7 +66,7 @@ impl Train<'_> {
         let energy = |index: usize| {
             let rod = self.rod(theta, index);
             let [big, small, inertia, piston] = rod.masses;
-            let square = |[x, y]: [super::jet::Jet; 2]| x.rate * x.rate + y.rate * y.rate;
+            let square = |[x, y]: [super::over_time::OverTime; 2]| x.v1 * x.v1 + y.v1 * y.v1;
             big * square(rod.big_end)
                 + small * square(rod.pin)
                 + piston * square(rod.piston)
@@ -78,13 +79,14 @@ impl Train<'_> {
 
 /// Weights of integrals from 0 to each of the points of the rule, exact for cubics.
 fn running() -> [[f64; 4]; 4] {
+    let points: Vec<(f64, f64)> = unit_points(&GAUSS_4).collect();
     let lagrange = |j: usize, x: f64| {
         let others = (0..4).filter(|k| *k != j);
-        others.map(|k| (x - GAUSS[k].0) / (GAUSS[j].0 - GAUSS[k].0)).product::<f64>()
+        others.map(|k| (x - points[k].0) / (points[j].0 - points[k].0)).product::<f64>()
     };
     std::array::from_fn(|i| {
-        let end = GAUSS[i].0;
-        std::array::from_fn(|j| GAUSS.iter().map(|(x, w)| end * w * lagrange(j, end * x)).sum())
+        let end = points[i].0;
+        std::array::from_fn(|j| points.iter().map(|(x, w)| end * w * lagrange(j, end * x)).sum())
     })
 }
 

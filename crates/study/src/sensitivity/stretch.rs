@@ -1,8 +1,9 @@
 //! Stretches of the cycle without a jump: their ends move with the input where a pressure jumps (book, eq. 32.6).
 
 use super::gas_force::Window;
-use super::jet::known;
+use super::over_time::known;
 use super::train::Train;
+use lanchester_numerics::{GAUSS_4, unit_points};
 use num_dual::Dual64;
 use std::f64::consts::TAU;
 
@@ -12,14 +13,6 @@ const SAME: f64 = 1e-9;
 const APART: f64 = 1e-7;
 /// Widest part of a quadrature [rad].
 const WIDEST: f64 = 0.05;
-/// Gauss-Legendre rule of four points on [0, 1].
-pub(super) const GAUSS: [(f64, f64); 4] = [
-    (0.069_431_844_202_973_71, 0.173_927_422_568_726_93),
-    (0.330_009_478_207_571_87, 0.326_072_577_431_273_1),
-    (0.669_990_521_792_428_1, 0.326_072_577_431_273_1),
-    (0.930_568_155_797_026_3, 0.173_927_422_568_726_93),
-];
-
 /// A stretch of the cycle in which all loads are smooth.
 pub(super) struct Stretch {
     pub from: Dual64,
@@ -50,8 +43,7 @@ impl Stretch {
     /// Angles and weights of a quadrature from the share `from` of the stretch to the share `to`.
     pub fn points(&self, from: f64, to: f64) -> impl Iterator<Item = (Dual64, Dual64)> {
         let whole = self.to - self.from;
-        GAUSS
-            .iter()
+        unit_points(&GAUSS_4)
             .map(move |(x, weight)| (self.theta(from + (to - from) * x), whole * ((to - from) * weight)))
     }
 

@@ -13,7 +13,7 @@
 
 use super::follow::{Weights, rotating, throw_of};
 use super::input::Input;
-use super::jet::{Jet, known};
+use super::over_time::{OverTime, circle, constant, known};
 use super::prepared::{PistonGas, Prepared};
 use super::quantity::Quantity;
 use lanchester_model::{Engine, Ratio, RodJoint};
@@ -37,7 +37,7 @@ pub(super) struct DualLoads {
 pub(super) type Vector = [Dual64; 2];
 
 /// Point in the plane across the crank, over time.
-pub(super) type Place = [Jet; 2];
+pub(super) type Place = [OverTime; 2];
 
 /// Towards which side of the nominal input is differentiated, where the sides differ.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -78,7 +78,7 @@ pub(super) struct RodMotion {
     /// Place in the piston beside its pin, on the cylinder axis.
     pub piston: Place,
     /// Piston pin along the cylinder axis.
-    pub travel: Jet,
+    pub travel: OverTime,
     /// Direction of the cylinder axis.
     pub axis: Vector,
     /// Rate and second derivative of the rod's direction.
@@ -100,11 +100,11 @@ struct Sums {
 impl Sums {
     /// A mass [kg], or an unbalance [kg m] at a radius of 1 m, at `place` in the plane `z`.
     fn mass(&mut self, mass: Dual64, [x, y]: Place, z: Dual64) {
-        let force = [-mass * x.bend, -mass * y.bend];
+        let force = [-mass * x.v2, -mass * y.v2];
         self.force = [self.force[0] + force[0], self.force[1] + force[1]];
         self.couple = [self.couple[0] - z * force[1], self.couple[1] + z * force[0]];
-        self.power += mass * (x.rate * x.bend + y.rate * y.bend);
-        self.torque += mass * (x.value * y.bend - y.value * x.bend);
+        self.power += mass * (x.v1 * x.v2 + y.v1 * y.v2);
+        self.torque += mass * (x.re * y.v2 - y.re * x.v2);
     }
 
     /// What two end masses miss of a rod's moment of inertia.
@@ -154,13 +154,13 @@ impl<'a> Train<'a> {
         let pistons = self.engine.chamber_pistons(index);
         if pistons.len() == 1 {
             let travel = self.rod(known(theta), index).travel;
-            return Dual64::new(theta, -travel.rate.eps * self.speed.re / travel.bend.re);
+            return Dual64::new(theta, -travel.v1.eps * self.speed.re / travel.v2.re);
         }
         // The chamber that pistons share: where the sum of areas times travels is highest. The bores move it too.
         let terms = pistons.iter().map(|&piston| {
             let bore = self.of(Quantity::Bore, piston, self.engine.cylinders[piston].bore.unwrap_or(1.0));
             let travel = self.rod(known(theta), piston).travel;
-            ((bore * bore * travel.rate).eps, bore.re * bore.re * travel.bend.re)
+            ((bore * bore * travel.v1).eps, bore.re * bore.re * travel.v2.re)
         });
         let (rate, bend) = terms.fold((0.0, 0.0), |sum, term| (sum.0 + term.0, sum.1 + term.1));
         Dual64::new(theta, -rate * self.speed.re / bend)
@@ -168,7 +168,7 @@ impl<'a> Train<'a> {
 
     /// Direction of what turns at `ratio`, at the angle `own` of its shaft where crankshaft 1 stands at `theta`.
     fn circle(&self, ratio: Ratio, theta: Dual64, own: Dual64) -> Place {
-        Jet::circle(own + theta * ratio.value(), self.speed * ratio.value())
+        circle(own + theta * ratio.value(), self.speed * ratio.value())
     }
 
     /// Loads of inertia where crankshaft 1 stands at `theta` [rad].
@@ -296,7 +296,7 @@ impl<'a> Train<'a> {
     fn crankpin(&self, theta: Dual64, throw: usize) -> Place {
         let own = &self.engine.throws[throw];
         let ratio = self.engine.crankshafts[own.crankshaft].ratio;
-        let radius = self.part(Varied::CrankRadius, throw, own.radius);
+        let radius = constant(self.part(Varied::CrankRadius, throw, own.radius));
         let angle = self.part(Varied::ThrowAngle, throw, own.angle) + self.phase(own.crankshaft);
         let [x, y] = self.circle(ratio, theta, angle);
         beside(self.crankshaft_axis(own.crankshaft), [x * radius, y * radius])
@@ -309,22 +309,21 @@ impl<'a> Train<'a> {
     }
 
     /// Travel of the piston pin of cylinder `index`, whose rod's big end stands at `big_end`; the pin, and a place beside it in its piston.
-    fn piston(&self, index: usize, big_end: Place) -> (Jet, [Place; 2]) {
+    fn piston(&self, index: usize, big_end: Place) -> (OverTime, [Place; 2]) {
         let cylinder = &self.engine.cylinders[index];
         let centre = self.crank_axis(index);
-        let [along, across] = self.axis(index);
+        let [along, across] = self.axis(index).map(constant);
         let length = self.part(Varied::RodLength, index, cylinder.rod.length);
         let line = self.part(Varied::Offset, index, cylinder.offset);
         let net = line + self.of(Quantity::PinOffset, index, cylinder.pin_offset);
         // In the frame of the cylinder: u along its axis, v = i u.
-        let [x, y] = [big_end[0] - Jet::constant(centre[0]), big_end[1] - Jet::constant(centre[1])];
-        let (p, q) = (x * along + y * across, y * along - x * across - Jet::constant(net));
-        let travel = p + (Jet::constant(length * length) - q * q).sqrt();
+        let centre = centre.map(constant);
+        let [x, y] = [big_end[0] - centre[0], big_end[1] - centre[1]];
+        let (p, q) = (x * along + y * across, y * along - x * across - constant(net));
+        let travel = p + (constant(length * length) - q * q).sqrt();
         let place = |offset: Dual64| {
-            [
-                travel * along + Jet::constant(centre[0] - offset * across),
-                travel * across + Jet::constant(centre[1] + offset * along),
-            ]
+            let offset = constant(offset);
+            [travel * along + centre[0] - offset * across, travel * across + centre[1] + offset * along]
         };
         (travel, [place(net), place(line)])
     }
@@ -342,7 +341,7 @@ impl<'a> Train<'a> {
         let [dx, dy] = [pin[0] - crankpin[0], pin[1] - crankpin[1]];
         let share = self.of(Quantity::KnuckleRadius, index, knuckle_radius) / length;
         let angle = self.of(Quantity::KnuckleAngle, index, knuckle_angle);
-        let [re, im] = [share * angle.cos(), share * angle.sin()];
+        let [re, im] = [share * angle.cos(), share * angle.sin()].map(constant);
         [crankpin[0] + dx * re - dy * im, crankpin[1] + dx * im + dy * re]
     }
 
@@ -355,10 +354,7 @@ impl<'a> Train<'a> {
         let length = self.part(Varied::RodLength, index, cylinder.rod.length);
         let [dx, dy] = [pin[0] - big_end[0], pin[1] - big_end[1]];
         let square = length * length;
-        let spin = [
-            (dx.value * dy.rate - dy.value * dx.rate) / square,
-            (dx.value * dy.bend - dy.value * dx.bend) / square,
-        ];
+        let spin = [(dx.re * dy.v1 - dy.re * dx.v1) / square, (dx.re * dy.v2 - dy.re * dx.v2) / square];
         let [big, small, inertia] = self.rod_masses(index);
         let piston_mass = self.part(Varied::PistonMass, index, cylinder.piston_mass);
         let masses = [big, small, inertia, piston_mass].map(|mass| self.weighed(mass));
@@ -377,5 +373,5 @@ pub(super) struct Turning {
 
 /// A place beside an axis.
 fn beside(axis: Vector, [x, y]: Place) -> Place {
-    [x + Jet::constant(axis[0]), y + Jet::constant(axis[1])]
+    [x + constant(axis[0]), y + constant(axis[1])]
 }

@@ -5,12 +5,13 @@ use super::mount_force::MOUNT_ORDERS;
 use super::operating_point::OperatingPoint;
 use super::output::{Output, Size, Target};
 use lanchester_mechanism::{
-    BearingLoads, BearingPart, BearingRequest, CylinderGas, EnergyVariation, Excitation, Extremes, GasTrain,
-    InternalRequest, Lever, LoadRequest, LoadSet, MountSystem, OrderLoads, PeriodicCurve, PinLoad,
-    SpeedResponse, Torque, TorqueError, TorqueRequest, bearing_loads, inertia_excitations, internal_moments,
-    merged_orders, rotor_inertia_about_z, speed_ripple, torque, total_loads, vector_amplitude,
+    BearingLoads, BearingPart, BearingRequest, CylinderGas, EnergyVariation, Excitation, GasTrain,
+    InternalRequest, Lever, LoadRequest, MountSystem, PinLoad, SpeedResponse, Torque, TorqueError,
+    TorqueRequest, bearing_loads, inertia_excitations, internal_moments, merged_orders,
+    rotor_inertia_about_z, speed_ripple, torque, total_loads, vector_amplitude,
 };
 use lanchester_model::{Engine, EngineParts, RotatingKind, Sourced};
+use lanchester_results::{Extremes, LoadSet, OrderLoads, PeriodicCurve};
 use num_complex::Complex64;
 use std::f64::consts::{PI, TAU};
 
@@ -295,9 +296,7 @@ fn coefficient(samples: &[Complex64], order: f64, period: f64) -> Complex64 {
     if (cycles - cycles.round()).abs() > 1e-6 {
         return Complex64::ZERO;
     }
-    let step = period / samples.len() as f64;
-    let terms = samples.iter().enumerate().map(|(k, value)| value * Complex64::cis(-order * step * k as f64));
-    terms.sum::<Complex64>() / samples.len() as f64
+    lanchester_results::coefficient(samples.iter().copied(), samples.len(), 0.0, period / TAU, order)
 }
 
 /// Largest bending moment of a crankshaft, or of all, under what turns with it.

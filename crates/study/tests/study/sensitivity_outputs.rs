@@ -5,12 +5,13 @@
 
 use lanchester_file::{read, template};
 use lanchester_mechanism::{
-    BearingLoads, BearingPart, BearingRequest, CylinderBearings, CylinderGas, End, GasTrain, InternalRequest,
-    KnownInertia, Lever, MountSystem, OuterTorque, PeriodicCurve, PinLoad, SpeedResponse, Torque,
-    TorqueRequest, TurningInertia, bearing_loads, inertia_excitations, internal_moments, merged_orders,
-    speed_ripple, torque, vector_amplitude,
+    BearingLoads, BearingPart, BearingRequest, CylinderBearings, CylinderGas, GasTrain, InternalRequest,
+    KnownInertia, Lever, MountSystem, OuterTorque, PinLoad, SpeedResponse, Torque, TorqueRequest,
+    TurningInertia, bearing_loads, inertia_excitations, internal_moments, merged_orders, speed_ripple,
+    torque, vector_amplitude,
 };
 use lanchester_model::{Engine, EngineParts, MovingParts, Strokes};
+use lanchester_results::{End, PeriodicCurve};
 use lanchester_study::sensitivity::*;
 use num_complex::Complex64;
 use std::f64::consts::TAU;

@@ -2,7 +2,7 @@
 
 use super::words::{list, room_words};
 use lanchester::geometry::clearance::{RadialEnvelope, SweptRoom};
-use lanchester::geometry::{DesignOutcome, Evolution, Optimum};
+use lanchester::geometry::{DesignOutcome, DesignSettings, Evolution, Optimum};
 use lanchester::report::{
     DesignedShape, designed_dimensions_table, designed_properties_table, nearest_limits_table,
     objective_name, objective_words,
@@ -57,6 +57,15 @@ fn shapes<'a>(groups: &'a [Group<'a>]) -> Vec<(DesignedShape<'a>, &'a Optimum)> 
     found.collect()
 }
 
+/// How far a proof of this gap goes, in words.
+fn proved_to(gap: f64) -> String {
+    if gap == DesignSettings::PROVED_GAP {
+        "one part in a million".to_owned()
+    } else {
+        format!("{:.4} %", 100.0 * gap)
+    }
+}
+
 /// What was found, as text.
 pub fn text(designs: &CounterweightDesigns) -> String {
     let groups = &groups(designs);
@@ -73,12 +82,16 @@ pub fn text(designs: &CounterweightDesigns) -> String {
         };
         out += &match best.proved {
             true => format!(
-                "{}: the least {name} of all shapes within {within} is {value}, proved to one part in a million.\n",
-                shape.names
+                "{}: the least {name} of all shapes within {within} is {value}, proved to {}.\n",
+                shape.names,
+                proved_to(designs.task.settings.gap)
             ),
             false => format!(
-                "{}: the least {name} found is {value}; the proof was broken off after {} boxes.\n",
-                shape.names, best.boxes
+                "{}: the least {name} found is {value}; the proof was broken off after {} boxes; \
+                 hint: --max-boxes {} goes on, a wider --gap ends it earlier.\n",
+                shape.names,
+                best.boxes,
+                designs.task.settings.max_boxes.saturating_mul(10)
             ),
         };
     }

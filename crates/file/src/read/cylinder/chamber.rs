@@ -5,6 +5,7 @@ use crate::read::drafts::Drafts;
 use crate::read::reader::Reader;
 use lanchester_diagnostic::Mistake;
 use lanchester_model::{Crankshaft, Engine};
+use lanchester_numerics::about_zero;
 use std::f64::consts::TAU;
 
 /// Largest angle [rad] of their own crankshafts between the top dead centres at which pistons of one chamber fire.
@@ -95,7 +96,7 @@ impl<'a> Reader<'a> {
             let [own, other] = [index, first].map(|index| engine.cylinders[index].firing_angle);
             let Some((own, other)) = own.zip(other) else { continue };
             let cycle = engine.working_cycle(index);
-            let apart = (own - other + 0.5 * cycle).rem_euclid(cycle) - 0.5 * cycle;
+            let apart = about_zero(own - other, cycle);
             let turned = apart.abs() / cycle * TAU * f64::from(engine.strokes.revolutions());
             if turned > FARTHEST_APART {
                 let message = format!(

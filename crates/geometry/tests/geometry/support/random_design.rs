@@ -1,6 +1,8 @@
 //! The task of the tool paper, and random designs of a task's ranges.
 
-use lanchester_geometry::{CounterweightShape, Design, DesignLimits, DesignTask, Range, Shoulder};
+use lanchester_geometry::{
+    CounterweightShape, Design, DesignLimits, DesignSettings, DesignTask, Range, Shoulder,
+};
 
 /// The ranges of the tool paper's table 3, as far as its two designs tell them.
 pub fn paper() -> DesignTask {
@@ -16,6 +18,7 @@ pub fn paper() -> DesignTask {
         arc_angle: Range::new(0.79, 3.13),
         thickness: Range::new(0.005, 0.03),
         limits: DesignLimits::default(),
+        settings: DesignSettings::default(),
     }
 }
 

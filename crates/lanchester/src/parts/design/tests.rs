@@ -1,7 +1,7 @@
 //! Counterweights that are designed and fitted.
 
 use super::*;
-use lanchester_geometry::{DesignLimits, Range, Shoulder};
+use lanchester_geometry::{DesignLimits, DesignSettings, Range, Shoulder};
 
 const SINGLE: &str = r#"
 name = "single"
@@ -46,6 +46,7 @@ fn task() -> ShapeTask {
         arc_angle: Range::new(1.0, 3.1),
         thickness: Range::new(0.01, 0.025),
         limits: DesignLimits::default(),
+        settings: DesignSettings::default(),
     }
 }
 

@@ -1,8 +1,9 @@
 //! Holds computed loads against evidence and says where they differ.
 
 use super::evidence::{Coefficient, Evidence, Range};
-use lanchester_mechanism::{Extremes, Loads, OrderLoads};
+use lanchester_mechanism::Loads;
 use lanchester_model::Engine;
+use lanchester_results::{Extremes, OrderLoads};
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 

@@ -1,8 +1,9 @@
 //! Free forces and couples as textbooks print them or as derived by hand.
 
 use super::{engine, evidence};
-use lanchester_mechanism::{Kinematics, LoadRequest, LoadSet, Part, loads};
+use lanchester_mechanism::{Kinematics, LoadRequest, Part, loads};
 use lanchester_model::{Engine, RodJoint};
+use lanchester_results::LoadSet;
 use num_complex::Complex64;
 use serde::Deserialize;
 

@@ -5,8 +5,9 @@ pub mod brute;
 pub mod mounted;
 pub mod pressure;
 
-use lanchester_mechanism::{Components, LoadRequest, Mechanism, Part, Selection};
+use lanchester_mechanism::{LoadRequest, Mechanism, Part, Selection};
 use lanchester_model::*;
+use lanchester_results::Components;
 use lanchester_testkit::Within;
 pub use lanchester_testkit::hand_made::*;
 pub use lanchester_testkit::random;

@@ -1,7 +1,8 @@
 //! Pressures for tests: smooth and with jumps, of no cycle in particular, and one like a real one.
 
-use lanchester_mechanism::{CylinderGas, End, PeriodicCurve};
+use lanchester_mechanism::CylinderGas;
 use lanchester_model::Engine;
+use lanchester_results::{End, PeriodicCurve};
 use proptest::prelude::*;
 use std::f64::consts::TAU;
 

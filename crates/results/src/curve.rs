@@ -6,7 +6,8 @@
 //! The last piece reaches to the first knot of the next period. Neighbouring pieces may jump: a cycle with heat released at
 //! constant volume does.
 
-use crate::curves::spline;
+use crate::spline;
+use lanchester_numerics::GAUSS_8;
 use num_complex::Complex64;
 use serde::Serialize;
 use std::f64::consts::TAU;
@@ -134,9 +135,9 @@ impl PeriodicCurve {
     }
 
     /// Values at `from`, `from + step` and on, with `step` not negative: one walk along the pieces.
-    pub(crate) fn samples(&self, from: f64, step: f64) -> Samples<'_> {
+    pub fn samples(&self, from: f64, step: f64) -> CurveSamples<'_> {
         let (piece, u) = self.place(from);
-        Samples { curve: self, piece, u, step, length: self::step(self.period, &self.knots, piece) }
+        CurveSamples { curve: self, piece, u, step, length: self::step(self.period, &self.knots, piece) }
     }
 
     /// Derivative at `t`; at a knot that of the piece after it.
@@ -168,7 +169,7 @@ impl PeriodicCurve {
             let parts = (rate.abs() * h / 2.0).ceil().max(1.0);
             let width = h / parts;
             if width != turned {
-                (turned, turns) = (width, GAUSS.map(|(x, _)| Complex64::cis(rate * width * x)));
+                (turned, turns) = (width, GAUSS_8.map(|(x, _)| Complex64::cis(rate * width * x)));
             }
             for k in 0..parts as usize {
                 let middle = width * (k as f64 + 0.5);
@@ -177,7 +178,7 @@ impl PeriodicCurve {
                     let (before, after) = (value(middle - width * x), value(middle + width * x));
                     weight * (turn * before + turn.conj() * after)
                 };
-                let part: Complex64 = GAUSS.iter().zip(&turns).map(pair).sum();
+                let part: Complex64 = GAUSS_8.iter().zip(&turns).map(pair).sum();
                 sum += width * part * Complex64::cis(-rate * (from + middle));
             }
         }
@@ -250,7 +251,7 @@ impl PeriodicCurve {
 const ROUNDING: f64 = 1e-10;
 
 /// A walk along a curve in equal steps.
-pub(crate) struct Samples<'a> {
+pub struct CurveSamples<'a> {
     curve: &'a PeriodicCurve,
     piece: usize,
     u: f64,
@@ -258,7 +259,7 @@ pub(crate) struct Samples<'a> {
     length: f64,
 }
 
-impl Samples<'_> {
+impl CurveSamples<'_> {
     /// The value here; then a step further.
     #[inline]
     pub fn next(&mut self) -> f64 {
@@ -323,14 +324,6 @@ fn check<'a>(
         None => Ok(()),
     }
 }
-
-/// Gauss-Legendre rule of eight points on [0, 1]: distances from the middle, weights.
-pub(crate) const GAUSS: [(f64, f64); 4] = [
-    (0.091_717_321_247_824_9, 0.181_341_891_689_181),
-    (0.262_766_204_958_164_5, 0.156_853_322_938_943_64),
-    (0.398_333_238_706_813_4, 0.111_190_517_226_687_24),
-    (0.480_144_928_248_768_1, 0.050_614_268_145_188_13),
-];
 
 #[cfg(test)]
 mod tests {

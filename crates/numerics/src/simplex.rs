@@ -7,22 +7,22 @@
 //! distance from there. All costs are zero or one from the start, so that the first basis is dual feasible and `v` only grows: it may
 //! be left as soon as it is too large.
 
-/// Most variables, with `v`.
-pub(super) const COLUMNS: usize = 6;
 /// A coefficient below this is none, in rows scaled to about one.
 const TINY: f64 = 1e-11;
 const MOST_PIVOTS: usize = 80;
 
 /// One row `a . x + c v <= b`, with `c` in the last column.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Row {
-    pub a: [f64; COLUMNS],
+pub struct SimplexRow<const N: usize> {
+    /// Coefficients of the variables, then of `v`.
+    pub a: [f64; N],
+    /// Right side.
     pub b: f64,
 }
 
 /// How the programme ended.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum End {
+pub enum SimplexEnd {
     /// At the least `v`.
     Optimal,
     /// No point satisfies the rows.
@@ -33,25 +33,41 @@ pub(super) enum End {
     Stopped,
 }
 
-/// The tableau and what stands where.
-#[derive(Debug, Clone, Default)]
-pub(super) struct Simplex {
-    rows: Vec<[f64; COLUMNS]>,
+/// The tableau of a programme in at most `N` variables, `v` among them, and what stands where.
+#[derive(Debug, Clone)]
+pub struct Simplex<const N: usize> {
+    rows: Vec<[f64; N]>,
     rhs: Vec<f64>,
-    cost: [f64; COLUMNS],
+    cost: [f64; N],
     least: f64,
     /// Variable in each row and column: below `columns` a variable of the programme, above a slack.
     basic: Vec<usize>,
-    outside: [usize; COLUMNS],
+    outside: [usize; N],
     /// Whether a variable of the programme stands for its distance from the upper bound.
-    flipped: [bool; COLUMNS],
-    upper: [f64; COLUMNS],
+    flipped: [bool; N],
+    upper: [f64; N],
     columns: usize,
 }
 
-impl Simplex {
+impl<const N: usize> Default for Simplex<N> {
+    fn default() -> Simplex<N> {
+        Simplex {
+            rows: Vec::new(),
+            rhs: Vec::new(),
+            cost: [0.0; N],
+            least: 0.0,
+            basic: Vec::new(),
+            outside: [0; N],
+            flipped: [false; N],
+            upper: [0.0; N],
+            columns: 0,
+        }
+    }
+}
+
+impl<const N: usize> Simplex<N> {
     /// Sets up and solves; `upper` holds the bounds of the `columns` variables, of which the last is `v`.
-    pub fn solve(&mut self, rows: &[Row], upper: &[f64], limit: f64) -> End {
+    pub fn solve(&mut self, rows: &[SimplexRow<N>], upper: &[f64], limit: f64) -> SimplexEnd {
         self.columns = upper.len();
         self.upper[..self.columns].copy_from_slice(upper);
         self.rows.clear();
@@ -63,19 +79,19 @@ impl Simplex {
             self.basic.push(self.columns + at);
         }
         self.outside = std::array::from_fn(|j| j);
-        self.flipped = [false; COLUMNS];
-        self.cost = [0.0; COLUMNS];
+        self.flipped = [false; N];
+        self.cost = [0.0; N];
         self.cost[self.columns - 1] = 1.0;
         self.least = 0.0;
         for _ in 0..MOST_PIVOTS {
-            let Some(row) = self.leaving() else { return End::Optimal };
-            let Some(column) = self.entering(row) else { return End::Infeasible };
+            let Some(row) = self.leaving() else { return SimplexEnd::Optimal };
+            let Some(column) = self.entering(row) else { return SimplexEnd::Infeasible };
             self.pivot(row, column);
             if self.least > limit {
-                return End::Beyond;
+                return SimplexEnd::Beyond;
             }
         }
-        End::Stopped
+        SimplexEnd::Stopped
     }
 
     /// The least `v`.
@@ -130,7 +146,7 @@ impl Simplex {
         pivot_row[column] = inverse;
         let value = self.rhs[row] * inverse;
         // The entry of the column itself becomes -factor times that of the pivot's row: as if it had been zero.
-        let eliminate = |entries: &mut [f64; COLUMNS]| {
+        let eliminate = |entries: &mut [f64; N]| {
             let factor = entries[column];
             entries[column] = 0.0;
             for (entry, of_pivot) in entries.iter_mut().zip(&pivot_row) {
@@ -152,8 +168,8 @@ impl Simplex {
     }
 
     /// The point reached.
-    pub fn point(&self) -> [f64; COLUMNS] {
-        let mut point = [0.0; COLUMNS];
+    pub fn point(&self) -> [f64; N] {
+        let mut point = [0.0; N];
         for (value, variable) in self.rhs.iter().zip(&self.basic) {
             if *variable < self.columns {
                 point[*variable] = *value;
@@ -177,10 +193,10 @@ impl Simplex {
 
     /// Where the variables can lie with `v <= limit`: from a corner along edges, one for each variable outside the basis, of which a
     /// point takes parts from 0 to 1. `rows` are those of the programme.
-    pub fn parallelepiped(&self, rows: &[Row], limit: f64) -> ([f64; COLUMNS], [[f64; COLUMNS]; COLUMNS]) {
+    pub fn parallelepiped(&self, rows: &[SimplexRow<N>], limit: f64) -> ([f64; N], [[f64; N]; N]) {
         let room = (limit - self.least).max(0.0);
-        let mut edges = [[0.0; COLUMNS]; COLUMNS];
-        let mut most = [0.0; COLUMNS];
+        let mut edges = [[0.0; N]; N];
+        let mut most = [0.0; N];
         for j in 0..self.columns {
             let variable = self.outside[j];
             let far = if variable < self.columns {
@@ -214,10 +230,10 @@ impl Simplex {
 
     /// Bounds on each variable that no point with `v <= limit` leaves, from the reduced costs and the rows of the tableau;
     /// `gain` is what is known of the sum of the rows with their multipliers beyond this programme.
-    pub fn tightened(&self, limit: f64, gain: f64) -> [[f64; 2]; COLUMNS] {
+    pub fn tightened(&self, limit: f64, gain: f64) -> [[f64; 2]; N] {
         let room = (limit - self.least).max(0.0);
         let room_of_variables = (room - gain).max(0.0);
-        let most: [f64; COLUMNS] = std::array::from_fn(|j| {
+        let most: [f64; N] = std::array::from_fn(|j| {
             if j >= self.columns {
                 return 0.0;
             }
@@ -229,7 +245,7 @@ impl Simplex {
             };
             if self.cost[j] > TINY { upper.min(room / self.cost[j]) } else { upper }
         });
-        let mut bounds: [[f64; 2]; COLUMNS] =
+        let mut bounds: [[f64; 2]; N] =
             std::array::from_fn(|j| [0.0, if j < self.columns { self.upper[j] } else { 0.0 }]);
         for j in 0..self.columns {
             if self.outside[j] < self.columns {
@@ -263,36 +279,38 @@ impl Simplex {
 mod tests {
     use super::*;
 
-    fn row(a: &[f64], b: f64) -> Row {
+    const COLUMNS: usize = 6;
+
+    fn row(a: &[f64], b: f64) -> SimplexRow<COLUMNS> {
         let mut padded = [0.0; COLUMNS];
         padded[..a.len()].copy_from_slice(a);
-        Row { a: padded, b }
+        SimplexRow { a: padded, b }
     }
 
     #[test]
     fn least_violation_of_a_triangle() {
         // x + y >= 3 - v with x, y <= 1: v = 1 in the corner.
-        let mut simplex = Simplex::default();
+        let mut simplex = Simplex::<COLUMNS>::default();
         let end = simplex.solve(&[row(&[-1.0, -1.0, -1.0], -3.0)], &[1.0, 1.0, f64::INFINITY], f64::INFINITY);
-        assert_eq!((end, simplex.least()), (End::Optimal, 1.0));
+        assert_eq!((end, simplex.least()), (SimplexEnd::Optimal, 1.0));
         assert_eq!(simplex.point()[..3], [1.0, 1.0, 1.0]);
         // With v <= 1.25 neither may be below 0.75.
         let bounds = simplex.tightened(1.25, 0.0);
         assert!((bounds[0][0] - 0.75).abs() < 1e-15 && (bounds[1][0] - 0.75).abs() < 1e-15, "{bounds:?}");
         assert_eq!(
             simplex.solve(&[row(&[-1.0, -1.0, -1.0], -3.0)], &[1.0, 1.0, f64::INFINITY], 0.5),
-            End::Beyond
+            SimplexEnd::Beyond
         );
     }
 
     #[test]
     fn rows_without_v_can_have_no_point() {
         let rows = [row(&[1.0, 1.0, 0.0], 0.5), row(&[-1.0, 0.0, 0.0], -0.3), row(&[0.0, -1.0, 0.0], -0.3)];
-        let mut simplex = Simplex::default();
-        assert_eq!(simplex.solve(&rows, &[1.0, 1.0, f64::INFINITY], f64::INFINITY), End::Infeasible);
+        let mut simplex = Simplex::<COLUMNS>::default();
+        assert_eq!(simplex.solve(&rows, &[1.0, 1.0, f64::INFINITY], f64::INFINITY), SimplexEnd::Infeasible);
         let end = simplex.solve(&rows[..2], &[1.0, 1.0, f64::INFINITY], f64::INFINITY);
         let point = simplex.point();
-        assert!(end == End::Optimal && point[0] >= 0.3 - 1e-12 && point[0] + point[1] <= 0.5 + 1e-12);
+        assert!(end == SimplexEnd::Optimal && point[0] >= 0.3 - 1e-12 && point[0] + point[1] <= 0.5 + 1e-12);
     }
 
     #[test]
@@ -304,9 +322,10 @@ mod tests {
             f64::from(seed >> 8) / f64::from(1 << 24) * 2.0 - 1.0
         };
         for _ in 0..200 {
-            let rows: Vec<Row> = (0..6).map(|_| row(&[next(), next(), -1.0], next() - 0.5)).collect();
-            let mut simplex = Simplex::default();
-            assert_eq!(simplex.solve(&rows, &[1.0, 1.0, f64::INFINITY], f64::INFINITY), End::Optimal);
+            let rows: Vec<SimplexRow<COLUMNS>> =
+                (0..6).map(|_| row(&[next(), next(), -1.0], next() - 0.5)).collect();
+            let mut simplex = Simplex::<COLUMNS>::default();
+            assert_eq!(simplex.solve(&rows, &[1.0, 1.0, f64::INFINITY], f64::INFINITY), SimplexEnd::Optimal);
             let violation =
                 |x: f64, y: f64| rows.iter().map(|r| r.a[0] * x + r.a[1] * y - r.b).fold(0.0, f64::max);
             let point = simplex.point();

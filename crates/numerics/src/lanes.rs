@@ -1,28 +1,38 @@
 //! Eight numbers at a time, in plain code that compilers turn into vector instructions.
 
 /// Numbers in a [`Lanes`]: one register of AVX-512, two of AVX2, four of SSE2 or NEON.
-pub(crate) const WIDTH: usize = 8;
+pub const LANES: usize = 8;
 
 /// Eight numbers that go through the same arithmetic.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[repr(align(64))]
-pub(crate) struct Lanes(pub [f64; WIDTH]);
+pub struct Lanes(pub [f64; LANES]);
 
 impl Lanes {
     /// All zero.
-    pub const ZERO: Lanes = Lanes([0.0; WIDTH]);
+    pub const ZERO: Lanes = Lanes([0.0; LANES]);
 
     /// The same number in all lanes.
     #[inline(always)]
     pub fn all(value: f64) -> Lanes {
-        Lanes([value; WIDTH])
+        Lanes([value; LANES])
+    }
+
+    /// `f` of the number of every lane.
+    #[inline(always)]
+    pub fn each(f: impl Fn(usize) -> f64) -> Lanes {
+        let mut out = [0.0; LANES];
+        for i in 0..LANES {
+            out[i] = f(i);
+        }
+        Lanes(out)
     }
 
     /// `f` of every lane.
     #[inline(always)]
     pub fn map(self, f: impl Fn(f64) -> f64) -> Lanes {
-        let mut out = [0.0; WIDTH];
-        for i in 0..WIDTH {
+        let mut out = [0.0; LANES];
+        for i in 0..LANES {
             out[i] = f(self.0[i]);
         }
         Lanes(out)
@@ -31,8 +41,8 @@ impl Lanes {
     /// `f` of every pair of lanes.
     #[inline(always)]
     pub fn zip(self, other: Lanes, f: impl Fn(f64, f64) -> f64) -> Lanes {
-        let mut out = [0.0; WIDTH];
-        for i in 0..WIDTH {
+        let mut out = [0.0; LANES];
+        for i in 0..LANES {
             out[i] = f(self.0[i], other.0[i]);
         }
         Lanes(out)
@@ -41,8 +51,8 @@ impl Lanes {
     /// `self * factor + term`, in one rounding where the machine can (`FMA`), else in two.
     #[inline(always)]
     pub fn times_plus<const FMA: bool>(self, factor: Lanes, term: Lanes) -> Lanes {
-        let mut out = [0.0; WIDTH];
-        for i in 0..WIDTH {
+        let mut out = [0.0; LANES];
+        for i in 0..LANES {
             out[i] = if FMA {
                 self.0[i].mul_add(factor.0[i], term.0[i])
             } else {
@@ -69,6 +79,21 @@ impl Lanes {
     pub fn sum(self) -> f64 {
         let x = self.0;
         ((x[0] + x[4]) + (x[2] + x[6])) + ((x[1] + x[5]) + (x[3] + x[7]))
+    }
+}
+
+impl std::ops::Index<usize> for Lanes {
+    type Output = f64;
+    #[inline(always)]
+    fn index(&self, lane: usize) -> &f64 {
+        &self.0[lane]
+    }
+}
+
+impl std::ops::IndexMut<usize> for Lanes {
+    #[inline(always)]
+    fn index_mut(&mut self, lane: usize) -> &mut f64 {
+        &mut self.0[lane]
     }
 }
 
@@ -106,12 +131,26 @@ impl std::ops::Neg for Lanes {
 
 /// Complex numbers, eight at a time.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct ComplexLanes {
+pub struct ComplexLanes {
+    /// Real parts.
     pub re: Lanes,
+    /// Imaginary parts.
     pub im: Lanes,
 }
 
 impl ComplexLanes {
+    /// All zero.
+    pub const ZERO: ComplexLanes = ComplexLanes { re: Lanes::ZERO, im: Lanes::ZERO };
+
+    /// Product with the conjugate of `other`.
+    #[inline(always)]
+    pub fn times_conj<const FMA: bool>(self, other: ComplexLanes) -> ComplexLanes {
+        ComplexLanes {
+            re: self.im.times_plus::<FMA>(other.im, self.re * other.re),
+            im: self.re.taken_from::<FMA>(other.im, self.im * other.re),
+        }
+    }
+
     /// Product.
     #[inline(always)]
     pub fn times<const FMA: bool>(self, other: ComplexLanes) -> ComplexLanes {
