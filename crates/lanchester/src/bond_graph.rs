@@ -13,7 +13,7 @@ use lanchester_mechanism::{
 };
 use lanchester_model::{
     Action, BlockKind, Engine, ImposedAgainst, LoadLaw, ReactsOn, RunLength, SimulationInput, SpeedKind,
-    StartOfBlock,
+    StartOfBlock, StateTolerances,
 };
 use lanchester_multibody::STANDARD_GRAVITY;
 use std::f64::consts::{PI, TAU};
@@ -307,6 +307,10 @@ fn left_out(
             moves && engine.cylinders.iter().any(|own| own.rod.axial_inertia != 0.0),
         ),
         ("`guidance`", input.guidance.is_some()),
+        ("`tolerances`", input.tolerances != StateTolerances::default()),
+        ("`crankshaft = \"body\"`", input.crank_as_body == Some(true)),
+        ("`mesh`", !input.meshes.is_empty()),
+        ("`point`", !input.points.is_empty()),
         ("`main_stiffness`", !input.main_stiffness.is_empty()),
         ("`driveline_torque` of [block]", driveline_torque),
         (

@@ -94,6 +94,14 @@ pub enum MultibodyError {
         /// Dead time [s].
         delay: f64,
     },
+    /// A crankshaft is to turn as a body, and the file does not describe one.
+    #[error("{name} cannot turn as a body: {reason}")]
+    NoCrankBody {
+        /// Name of the crankshaft.
+        name: String,
+        /// Why.
+        reason: String,
+    },
     /// A shaft cannot be driven by the teeth that are given.
     #[error("the gear of \"{shaft}\" has no line of action: {reason}")]
     NoMesh {

@@ -17,9 +17,9 @@ use crate::simulation::{
 };
 use crate::symmetric::{self, MOST, Matrix};
 use crate::train::Train;
-use nalgebra::Vector3;
 pub(crate) use governor::governor_now;
 pub(crate) use history::History;
+use nalgebra::Vector3;
 use std::cell::RefCell;
 use std::rc::Rc;
 pub(crate) use works::*;

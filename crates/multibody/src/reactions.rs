@@ -192,9 +192,8 @@ fn unequal_moment(unequal: Complex64, carrier: &Carrier, ratio: f64) -> Vector3<
         return Vector3::zeros();
     }
     let half = 0.5 * unequal;
-    let tensor = |x: &Vector3<f64>| {
-        Vector3::new(-half.re * x.x - half.im * x.y, -half.im * x.x + half.re * x.y, 0.0)
-    };
+    let tensor =
+        |x: &Vector3<f64>| Vector3::new(-half.re * x.x - half.im * x.y, -half.im * x.x + half.re * x.y, 0.0);
     let turning = ratio * carrier.speed * Vector3::z();
     let alpha = carrier.angular + carrier.spin.cross(&turning);
     -(tensor(&alpha) + (carrier.spin + turning).cross(&tensor(&carrier.spin)))

@@ -377,7 +377,8 @@ impl<'a> Runner<'a> {
         let mut settings = Settings::uniform(layout.dimension(), share * simulation.tolerance);
         let speed = simulation.start_speed.abs().max(self.state[1].abs()).max(1.0);
         let kinds = simulation.tolerances_at(speed, self.scale);
-        let mut set = |range: std::ops::Range<usize>, amount: f64| settings.absolute[range].fill(share * amount);
+        let mut set =
+            |range: std::ops::Range<usize>, amount: f64| settings.absolute[range].fill(share * amount);
         set(0..1, if over_angle { kinds.angle / speed } else { kinds.angle });
         set(1..2, kinds.speed);
         for index in 0..layout.links {

@@ -1,6 +1,6 @@
 //! `[simulation]` and all that a run in time takes from the file.
 
-pub(in crate::read) mod event;
+pub(crate) mod event;
 pub(in crate::read) mod extras;
 pub(in crate::read) mod parts;
 

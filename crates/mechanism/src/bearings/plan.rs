@@ -377,7 +377,8 @@ impl BearingPlan {
         for row in &self.slaves {
             if share(&row.shares) != 0.0 || share(&row.master_shares) != 0.0 {
                 let loads = row.force.loads(theta, gas(row.cylinder, theta));
-                force += row.on_mains(&loads).filter(|part| part.0 == main).map(|part| part.1).sum::<Complex64>();
+                force +=
+                    row.on_mains(&loads).filter(|part| part.0 == main).map(|part| part.1).sum::<Complex64>();
             }
         }
         force

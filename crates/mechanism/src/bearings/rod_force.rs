@@ -100,7 +100,14 @@ impl RodForce {
                 let thrust = thrust(beside, reach);
                 let crankpin = Complex64::new(along, thrust) * self.along;
                 let in_master_plane = Complex64::ZERO;
-                RodLoads { crankpin, in_master_plane, knuckle: crankpin, thrust, master_thrust: 0.0, acceleration }
+                RodLoads {
+                    crankpin,
+                    in_master_plane,
+                    knuckle: crankpin,
+                    thrust,
+                    master_thrust: 0.0,
+                    acceleration,
+                }
             }
             Linkage::Articulated(articulated) => {
                 // Where the pins stand is exact, also where their accelerations are truncated.

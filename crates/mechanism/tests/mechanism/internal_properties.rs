@@ -98,9 +98,8 @@ fn pin_force(engine: &Engine, index: usize, theta: f64) -> [Complex64; 2] {
             .sum::<f64>()
             * square
     };
-    let aside_pin = |direction: Complex64| {
-        power(&|distance| bodies(engine, index, pin(theta) + distance * direction))
-    };
+    let aside_pin =
+        |direction: Complex64| power(&|distance| bodies(engine, index, pin(theta) + distance * direction));
     let all = Complex64::new(aside_pin(Complex64::ONE), aside_pin(Complex64::I));
     let RodJoint::Articulated { master, .. } = engine.cylinders[index].rod.joint else {
         return [all, Complex64::ZERO];

@@ -100,7 +100,8 @@ impl History {
     /// Neighbouring jumps of the command about one dead time before `t` [s].
     pub fn window(&self, t: f64) -> [f64; 2] {
         let past = t - self.delay;
-        let all = self.jumps.iter().flat_map(|jump| (0..=RETURNS).map(move |k| jump + f64::from(k) * self.delay));
+        let all =
+            self.jumps.iter().flat_map(|jump| (0..=RETURNS).map(move |k| jump + f64::from(k) * self.delay));
         all.fold([f64::NEG_INFINITY, f64::INFINITY], |[low, high], jump| {
             if jump <= past + SAME { [low.max(jump), high] } else { [low, high.min(jump)] }
         })
@@ -108,7 +109,8 @@ impl History {
 
     /// Forgets what no time from `t` [s] on asks for.
     pub fn forget_before(&mut self, t: f64) {
-        while self.steps.len() > 1 && self.steps.front().is_some_and(|first| first.to < t - 2.0 * self.delay) {
+        while self.steps.len() > 1 && self.steps.front().is_some_and(|first| first.to < t - 2.0 * self.delay)
+        {
             self.steps.pop_front();
         }
         let (delay, last) = (self.delay, f64::from(RETURNS + 2));

@@ -29,7 +29,8 @@ impl Train {
     /// # Errors
     /// [`MultibodyError::NoMesh`] where it cannot be.
     pub fn set_mesh(&mut self, name: &str, pressure_angle: f64, z: f64) -> Result<(), MultibodyError> {
-        let refused = |reason: &str| MultibodyError::NoMesh { shaft: name.to_owned(), reason: reason.to_owned() };
+        let refused =
+            |reason: &str| MultibodyError::NoMesh { shaft: name.to_owned(), reason: reason.to_owned() };
         if !((0.0..=STEEPEST).contains(&pressure_angle) && z.is_finite()) {
             return Err(refused("the pressure angle must lie between 0 and 45 deg"));
         }

@@ -2,7 +2,7 @@
 
 use crate::runs::{fired, gas, mean_torque, train};
 use lanchester_multibody::*;
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::{FRAC_PI_2, TAU};
 
 #[test]
 fn a_governor_settles_within_its_droop_after_a_load_step() {
@@ -14,7 +14,8 @@ fn a_governor_settles_within_its_droop_after_a_load_step() {
     let mut simulation = Simulation { tolerance: 1e-8, step: 0.1, ..Simulation::free(157.0, 1.0) };
     simulation.duration = Duration::Time(16.0);
     simulation.load.law = LoadLaw::Constant(0.3 * full);
-    let governor = Governor { speed: 157.0, gain: 0.05, integral: 2.0, droop: 0.04, delay: 0.0, lag: 0.02, start: 0.3 };
+    let governor =
+        Governor { speed: 157.0, gain: 0.05, integral: 2.0, droop: 0.04, delay: 0.0, lag: 0.02, start: 0.3 };
     simulation.governor = Some(governor);
     simulation.events =
         vec![Event { when: When::Time(4.0), action: Action::Load(LoadLaw::Constant(0.7 * full)) }];
@@ -38,7 +39,6 @@ fn a_governor_settles_within_its_droop_after_a_load_step() {
     let lowest = run.samples.speed.iter().copied().fold(f64::INFINITY, f64::min);
     assert!(lowest < after - 1.0, "the step is felt: {lowest} {after}");
 }
-
 
 /// A run of a four with a heavy wheel, whose governor meets a load step.
 fn governed(governor: Governor, time: f64, step: f64) -> Run {
@@ -101,8 +101,15 @@ fn a_dead_time_brings_the_command_as_much_later() {
 /// Both together: the factor follows what comes out of the dead time, by the lag.
 #[test]
 fn a_lag_follows_the_dead_time() {
-    let governor =
-        Governor { speed: 157.0, gain: 0.02, integral: 0.0, droop: 0.04, delay: 0.0173, lag: 0.011, start: 0.3 };
+    let governor = Governor {
+        speed: 157.0,
+        gain: 0.02,
+        integral: 0.0,
+        droop: 0.04,
+        delay: 0.0173,
+        lag: 0.011,
+        start: 0.3,
+    };
     let run = governed(governor, 0.6, 0.01);
     let Samples { time, speed, governor: factor, .. } = &run.samples;
     let wanted: Vec<f64> =
@@ -153,32 +160,34 @@ fn a_dead_time_bounds_the_gain() {
     train.rotors[0].inertia = 4.0;
     let gas = gas(2.2);
     let full = mean_torque(&train, &gas);
-    let delay = 0.3;
+    let delay = 1.0;
     let swing = |factor: f64| {
         // Small enough to keep off the ends of the fuel, and seen at one phase of the firing. From the fired part of the torque, which the mean is, and the inertia: K = gain torque / J.
         let gain = factor * FRAC_PI_2 / delay * 4.0 / full;
-        let mut simulation = Simulation { tolerance: 1e-7, step: PI, ..Simulation::free(157.1, 1.0) };
-        simulation.duration = Duration::Time(9.0);
+        let mut simulation = Simulation { tolerance: 1e-7, step: TAU, ..Simulation::free(157.1, 1.0) };
+        simulation.duration = Duration::Time(20.0);
         simulation.load.law = LoadLaw::Constant(0.5 * full);
-        let governor = Governor { speed: 157.0, gain, integral: 0.0, droop: 0.0, delay, lag: 0.0, start: 0.5 };
+        let governor =
+            Governor { speed: 157.0, gain, integral: 0.0, droop: 0.0, delay, lag: 0.0, start: 0.5 };
         simulation.governor = Some(governor);
         let run = train.run(&simulation, Some(&gas)).expect("it runs");
         let spread = |from: f64| {
             let picked = run.samples.time.iter().zip(&run.samples.speed);
-            let picked = picked.filter(|(t, _)| **t > from && **t < from + 2.0).map(|(_, w)| *w);
+            let picked = picked.filter(|(t, _)| **t > from && **t < from + 4.0).map(|(_, w)| *w);
             let (low, high) = picked.fold((f64::INFINITY, 0.0f64), |(l, h), w| (l.min(w), h.max(w)));
             high - low
         };
-        spread(6.9) / spread(0.0)
+        spread(16.0) / spread(1.0)
     };
     let [calm, growing] = [swing(0.8), swing(1.25)];
-    assert!(calm < 0.8 && growing > 1.2, "{calm} {growing}");
+    assert!(calm < 0.3 && growing > 3.0, "{calm} {growing}");
 }
 
 /// Neither dead time nor lag: the factor solves its own equation at once.
 #[test]
 fn without_dead_time_and_lag_it_answers_at_once() {
-    let governor = Governor { speed: 157.0, gain: 0.02, integral: 0.0, droop: 0.04, delay: 0.0, lag: 0.0, start: 0.3 };
+    let governor =
+        Governor { speed: 157.0, gain: 0.02, integral: 0.0, droop: 0.04, delay: 0.0, lag: 0.0, start: 0.3 };
     let run = governed(governor, 0.4, 0.05);
     for (u, w) in run.samples.governor.iter().zip(&run.samples.speed) {
         let wanted = 0.02 * (157.0 * (1.0 - 0.04 * u) - w) + 0.3;
@@ -191,8 +200,15 @@ fn without_dead_time_and_lag_it_answers_at_once() {
 fn no_periodic_motion_with_a_dead_time() {
     let train = train(&fired(1));
     let mut simulation = Simulation::free(150.0, 1.0);
-    simulation.governor =
-        Some(Governor { speed: 157.0, gain: 0.02, integral: 0.0, droop: 0.0, delay: 0.02, lag: 0.0, start: 0.3 });
+    simulation.governor = Some(Governor {
+        speed: 157.0,
+        gain: 0.02,
+        integral: 0.0,
+        droop: 0.0,
+        delay: 0.02,
+        lag: 0.0,
+        start: 0.3,
+    });
     let error = train.periodic(&simulation, Some(&gas(2.0))).expect_err("its past is part of its state");
     assert!(error.to_string().contains("lag"), "{error}");
 }
@@ -207,7 +223,8 @@ fn tolerances_are_by_kind_of_state() {
     assert_eq!((plain.tolerances.relative, plain.tolerances.angle), (1e-9, 1e-9));
     assert!((plain.tolerances.speed / 150e-9 - 1.0).abs() < 1e-12);
     assert!((plain.tolerances.displacement / 1e-12 - 1.0).abs() < 1e-12);
-    simulation.tolerances = StateTolerances { velocity: Some(1e-5), spin: Some(1e-5), ..StateTolerances::default() };
+    simulation.tolerances =
+        StateTolerances { velocity: Some(1e-5), spin: Some(1e-5), ..StateTolerances::default() };
     let loose = train.run(&simulation, Some(&gas)).expect("it runs");
     assert_eq!((loose.tolerances.velocity, loose.tolerances.spin), (1e-5, 1e-5));
     assert!(loose.cost.steps < plain.cost.steps, "{} {}", loose.cost.steps, plain.cost.steps);

@@ -154,8 +154,7 @@ impl<'a> Reader<'a> {
             let hint = "add [gas] with [[gas.trace]] or [gas.cycle]";
             self.without_effect(self.root, "governor", "it scales the fired part of the gas", hint);
         }
-        let [speed, gain] =
-            ["speed", "gain"].map(|key| self.required(section, key, section.number(key)));
+        let [speed, gain] = ["speed", "gain"].map(|key| self.required(section, key, section.number(key)));
         let [integral, delay, lag] = ["integral", "delay", "lag"].map(|key| section.number(key).or(0.0));
         let [droop, start] = ["droop", "start"].map(|key| {
             let share = section.number(key).or(0.0)?;

@@ -5,8 +5,8 @@ use super::super::Need::{Optional, Required};
 use super::super::{Kind, Table};
 use super::entry::{key, quantity};
 use lanchester_units::Dimension::{
-    Angle, AngularDamping, AngularStiffness, Energy, Inertia, Length, PerSpeed, Power, Rate, Speed, Stiffness,
-    Time, Torque, Velocity,
+    Angle, AngularDamping, AngularStiffness, Energy, Inertia, Length, PerSpeed, Power, Rate, Speed,
+    Stiffness, Time, Torque, Velocity,
 };
 
 /// Most inertias of a driveline, events of a run, and points of a table.
