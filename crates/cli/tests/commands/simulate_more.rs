@@ -27,12 +27,10 @@ fn column(csv: &str, head: &str) -> Vec<f64> {
 
 #[test]
 fn a_run_starts_where_the_command_says() {
-    let folder = example("simulate-from", "in-line-4-mounts.toml", same);
+    let folder = example("simulate-from", "generator-set-3.toml", same);
     let of = |more: &[&str]| {
-        let all =
-            [&["simulate", "engine.toml", "--imposed", "--for", "0.5 revolutions", "--step", "10 deg"], more]
-                .concat();
-        output(&folder, 0, &[&all[..], &["--format", "csv"]].concat())
+        let run = ["simulate", "engine.toml", "--imposed", "--inertia-only", "--for", "0.5 revolutions"];
+        output(&folder, 0, &[&run[..], &["--step", "10 deg", "--format", "csv"], more].concat())
     };
     let csv = of(&["--start", "90 deg, 1200 rpm, as drawn"]);
     assert_eq!(column(&csv, "theta [deg]")[0], 90.0);
@@ -77,20 +75,11 @@ fn events_of_the_command_come_besides_those_of_the_file() {
 /// The displacement of a point is that of the origin and the turn, from the columns of the same file.
 #[test]
 fn points_of_the_block_move_with_it() {
-    let folder = example("simulate-points", "in-line-4-mounts.toml", |text| {
-        format!("{text}\n[simulation]\npoint = [{{ name = \"head\", x = \"350 mm\", y = \"20 mm\" }}]\n")
-    });
-    let run = [
-        "simulate",
-        "engine.toml",
-        "--imposed",
-        "--for",
-        "2 revolutions",
-        "--step",
-        "10 deg",
-        "--point",
-        "0 mm, 100 mm, -200 mm",
-    ];
+    let point = "[simulation]\npoint = [{ name = \"head\", x = \"350 mm\", y = \"20 mm\" }]";
+    let folder =
+        example("simulate-points", "generator-set-3.toml", |text| text.replace("[simulation]", point));
+    let run = ["simulate", "engine.toml", "--imposed", "--inertia-only", "--speed", "1500 rpm", "--for"];
+    let run = [&run[..], &["2 revolutions", "--step", "10 deg", "--point", "0 mm, 100 mm, -200 mm"]].concat();
     let text = output(&folder, 0, &run);
     assert!(text.contains("Points of the block in the last period") && text.contains("head"), "{text}");
     let csv = output(&folder, 0, &[&run[..], &["--format", "csv"]].concat());
