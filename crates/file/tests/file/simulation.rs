@@ -178,7 +178,7 @@ fn mistakes_of_a_run_are_told() {
         ("[simulation]\npoint = [{ name = \"a\" }, { name = \"a\" }]\n", "E1803"),
         ("[simulation]\nmesh = [{ shaft = \"a\", pressure_angle = \"50 deg\", z = \"0 mm\" }]\n", "E0108"),
         ("[simulation]\nmesh = [{ shaft = \"a\", pressure_angle = \"20 deg\" }]\n", "E0202"),
-        ("[simulation]\ntolerances = { speed = \"0 rad/s\" }\n", "E0105"),
+        ("[simulation]\ntolerances = { speed = \"0 rad/s\" }\n", "E0108"),
         ("[simulation]\ntolerances = { mass = \"1 kg\" }\n", "E0201"),
         ("[simulation]\ntorque = [{ order = 1 }]\n", "E0202"),
         ("[load]\ntype = \"power\"\npower = \"3 kW\"\n", "E0202"),
