@@ -33,8 +33,12 @@ fn bench(criterion: &mut Criterion) {
 fn in_time(criterion: &mut Criterion) {
     let examples = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples");
     let mut group = criterion.benchmark_group("process, in time");
-    group.bench_function("simulate a V6", |b| b.iter(|| run(&examples, &["simulate", "v6-60.toml", "--imposed"])));
-    group.bench_function("crosscheck an in-line four", |b| b.iter(|| run(&examples, &["crosscheck", "in-line-4.toml"])));
+    group.bench_function("simulate a V6", |b| {
+        b.iter(|| run(&examples, &["simulate", "v6-60.toml", "--imposed"]))
+    });
+    group.bench_function("crosscheck an in-line four", |b| {
+        b.iter(|| run(&examples, &["crosscheck", "in-line-4.toml"]))
+    });
     group.finish();
 }
 

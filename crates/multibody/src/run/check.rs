@@ -127,9 +127,11 @@ pub(crate) fn check(train: &Train, simulation: &Simulation, with_gas: bool) -> R
                         mount.name
                     ),
                 }),
-                None if leaves_free(train) => {
-                    Err(MultibodyError::NoMounts { missing: "its mounts leave a motion of it free".into() })
-                }
+                None if leaves_free(train) => Err(MultibodyError::NoMounts {
+                    missing:
+                        "its mounts leave a motion of it free, so that stiffness in that direction is missing"
+                            .into(),
+                }),
                 None => Ok(()),
             },
         },

@@ -412,6 +412,36 @@ fn an_imposed_speed_follows_its_profile() {
     assert!(relative.audit.energy < 1e-8 && absolute.audit.energy < 1e-8);
 }
 
+/// A sealed cylinder whose pressure is no number behind an angle.
+struct Broken(Sealed);
+
+impl GasPressure for Broken {
+    fn pressure(&self, cylinder: usize, own: f64, speed: f64) -> f64 {
+        if own > 1.3 * TAU { f64::NAN } else { self.0.pressure(cylinder, own, speed) }
+    }
+
+    fn cycle(&self) -> f64 {
+        self.0.cycle()
+    }
+
+    fn kinks(&self, cylinder: usize) -> Vec<f64> {
+        self.0.kinks(cylinder)
+    }
+}
+
+/// A state that becomes no number ends the run with its angle and its quantity, and keeps the samples before it.
+#[test]
+fn what_is_no_number_ends_the_run_with_its_good_samples() {
+    let train = train(&fired(1));
+    let run = train.run(&Simulation::free(150.0, 3.0), Some(&Broken(gas(1.0)))).expect("it starts");
+    let RunOutcome::Failed { theta, quantity, .. } = run.outcome else { panic!("{:?}", run.outcome) };
+    assert!((theta - 1.3 * TAU).abs() < 1e-3, "{theta}");
+    assert!(quantity.is_some() || theta > 1.29 * TAU, "{quantity:?}");
+    let samples = &run.samples;
+    assert!(samples.theta.len() > 460 && *samples.theta.last().unwrap() <= theta);
+    assert!(samples.speed.iter().chain(&samples.acceleration).all(|value| value.is_finite()));
+}
+
 #[test]
 fn what_is_missing_is_named() {
     let mut engine = engine("bare", vec![throw(0.0, 0.0)], vec![support::cylinder(0, 0.0, 0.0)]);

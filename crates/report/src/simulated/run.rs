@@ -6,7 +6,7 @@ use crate::kit::table::{Cell, Column, Table};
 use crate::simulated::moving::{gears_table, points_table};
 use crate::simulated::orders::{joints_table, orders_table};
 use crate::simulated::result::{SimulationResult, occasion_words};
-use lanchester_multibody::{MainRule, Outcome, PeriodicOutcome, Run, RunOutcome};
+use lanchester_multibody::{MainRule, Occasion, Outcome, PeriodicOutcome, Run, RunOutcome};
 use std::f64::consts::TAU;
 
 fn outcome_words(outcome: &RunOutcome) -> String {
@@ -58,6 +58,7 @@ pub fn simulation_words(result: &SimulationResult) -> Vec<String> {
         number::short(theta / TAU, 6),
         number::short(number::rpm(speed), 6)
     )];
+    all.extend(stalled_words(run));
     if let Some(periodic) = &result.periodic {
         let largest = periodic.multipliers.first().map_or(0.0, |m| m[0].hypot(m[1]));
         let found = match periodic.outcome {
@@ -76,6 +77,28 @@ pub fn simulation_words(result: &SimulationResult) -> Vec<String> {
     }
     all.extend(result.notes.iter().cloned());
     all
+}
+
+/// Since when the crank stands at the end of a run that went on, and what friction and load hold there.
+fn stalled_words(run: &Run) -> Option<String> {
+    let samples = &run.samples;
+    let last = run
+        .events
+        .iter()
+        .rev()
+        .find(|event| matches!(event.what, Occasion::Held | Occasion::Released | Occasion::Reversed))?;
+    let stands = last.what == Occasion::Held && run.end[2] == 0.0;
+    if !stands || matches!(run.outcome, RunOutcome::AtRest { .. }) {
+        return None;
+    }
+    let series = [&samples.gas_torque, &samples.starter_torque, &samples.driveline_torque];
+    let torque: f64 = series.into_iter().filter_map(|values| values.last()).sum();
+    Some(format!(
+        "The crank stands from {} s on, at {} deg: what gas, starter and driveline give there, {} N m, friction and load hold.",
+        number::short(last.time, 5),
+        number::short(last.theta.to_degrees(), 6),
+        number::short(torque, 4)
+    ))
 }
 
 /// What the run must keep, and what it cost.
