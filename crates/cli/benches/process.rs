@@ -1,4 +1,4 @@
-//! How long the whole program takes, from start to exit, for the in-line four and the V12 of the gallery.
+//! How long the whole program takes, from start to exit, for the in-line four and the V12 of the gallery; a run in time and a cross-check.
 #![allow(clippy::unwrap_used, reason = "a benchmark fails by panicking")]
 
 use criterion::{Criterion, criterion_group, criterion_main};
@@ -29,9 +29,22 @@ fn bench(criterion: &mut Criterion) {
     }
 }
 
+/// The crank train in time, and the closed form against it: goals of 50 ms and 1 s.
+fn in_time(criterion: &mut Criterion) {
+    let examples = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples");
+    let mut group = criterion.benchmark_group("process, in time");
+    group.bench_function("simulate a V6", |b| {
+        b.iter(|| run(&examples, &["simulate", "v6-60.toml", "--imposed"]))
+    });
+    group.bench_function("crosscheck an in-line four", |b| {
+        b.iter(|| run(&examples, &["crosscheck", "in-line-4.toml"]))
+    });
+    group.finish();
+}
+
 criterion_group! {
     name = benches;
     config = Criterion::default().sample_size(30).measurement_time(std::time::Duration::from_secs(3));
-    targets = bench
+    targets = bench, in_time
 }
 criterion_main!(benches);

@@ -119,7 +119,9 @@ pub enum Command {
         after_help = "Examples:\n  lanchester simulate four.toml\n  lanchester simulate four.toml --for '2 s' --speed '800 rpm' --load '20 N m'\n  \
                             lanchester simulate four.toml --until periodic --speed '1500 rpm' --block mounts\n  \
                             lanchester simulate four.toml --speed '1200 rpm' --misfire 2 --figures figures\n  \
-                            lanchester simulate four.toml --imposed --format csv --table reactions > reactions.csv\n\n\
+                            lanchester simulate four.toml --start '90 deg, 800 rpm' --event '3 revolutions: load none' --point '350 mm, 0 mm, 0 mm'\n  \
+                            lanchester simulate four.toml --imposed --format csv --table reactions > reactions.csv\n  \
+                            lanchester simulate four.toml --format parquet > run.parquet\n\n\
                             Exit status 1: the run was not completed; what it came to is printed."
     )]
     Simulate(SimulateArguments),

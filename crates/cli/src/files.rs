@@ -4,7 +4,7 @@ use crate::failure::Failure;
 use lanchester_files::{NewFile, Over, PutError, shown};
 use std::fmt::Display;
 use std::fs::{self, File};
-use std::io::{self, Read, Write};
+use std::io::{self, IsTerminal, Read, Write};
 use std::path::Path;
 
 /// An engine file may be this long; a longer one is some other file.
@@ -68,8 +68,23 @@ pub fn read_source(path: &Path) -> Result<Source, Failure> {
 
 /// Write `text` to standard output. A closed pipe (`| head`) is no fault.
 pub fn print(text: &str) -> Result<(), Failure> {
+    to_stdout(text.as_bytes())
+}
+
+/// Write a result that is no text to standard output, which must be no terminal.
+pub fn print_bytes(bytes: &[u8]) -> Result<(), Failure> {
+    if io::stdout().is_terminal() {
+        return Err(Failure::input(
+            "this is no text for a terminal",
+            "redirect it into a file, such as `> run.parquet`",
+        ));
+    }
+    to_stdout(bytes)
+}
+
+fn to_stdout(bytes: &[u8]) -> Result<(), Failure> {
     let mut stdout = io::stdout().lock();
-    match stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush()) {
+    match stdout.write_all(bytes).and_then(|()| stdout.flush()) {
         Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
             Err(Failure::input(format_args!("cannot write to standard output: {error}"), "is the disk full?"))
         }

@@ -20,7 +20,7 @@ mod places;
 mod reader;
 mod running;
 mod shaft;
-mod simulation;
+pub(crate) mod simulation;
 mod sizes;
 mod tolerances;
 mod torsion;

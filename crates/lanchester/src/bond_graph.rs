@@ -11,7 +11,7 @@ use lanchester_bondgraph::{
 use lanchester_mechanism::{CylinderGas, GasTrain, Lever, LoadError, TorqueError, TorqueRequest, torque};
 use lanchester_model::{
     Action, BlockKind, Engine, ImposedAgainst, LoadLaw, ReactsOn, RunLength, SimulationInput, SpeedKind,
-    StartOfBlock,
+    StartOfBlock, StateTolerances,
 };
 use lanchester_multibody::STANDARD_GRAVITY;
 use lanchester_results::PeriodicCurve;
@@ -306,6 +306,10 @@ fn left_out(
             moves && engine.cylinders.iter().any(|own| own.rod.axial_inertia != 0.0),
         ),
         ("`guidance`", input.guidance.is_some()),
+        ("`tolerances`", input.tolerances != StateTolerances::default()),
+        ("`crankshaft = \"body\"`", input.crank_as_body == Some(true)),
+        ("`mesh`", !input.meshes.is_empty()),
+        ("`point`", !input.points.is_empty()),
         ("`main_stiffness`", !input.main_stiffness.is_empty()),
         ("`driveline_torque` of [block]", driveline_torque),
         (

@@ -21,6 +21,7 @@ mod bearing_films;
 mod bond_graph;
 mod comparison;
 mod consequences;
+mod crank_bodies;
 mod crosscheck;
 mod engine_report;
 mod graph_report;

@@ -1,8 +1,9 @@
 //! What a run is asked, from the request, the engine file and defaults, in this order.
 
+use crate::crank_bodies::crank_bodies;
 use lanchester_model::{
-    Action, BlockKind, Engine, ImposedAgainst, RodGuidance, RunLength, SimulationInput, SpeedKind,
-    StartOfBlock, When,
+    Action, BlockKind, Engine, ImposedAgainst, NamedPoint, RodGuidance, RunLength, SimulationInput,
+    SpeedKind, StartOfBlock, When,
 };
 use lanchester_multibody::{
     BlockMotion, BlockStart, Drive, Duration, Event, Guidance, LoadLaw, MultibodyError, ReactsOn,
@@ -35,6 +36,14 @@ pub struct SimulateRequest {
     pub step: Option<f64>,
     /// Tolerance of every step; by default 1e-9.
     pub tolerance: Option<f64>,
+    /// Crank angle at the start [rad]; by default 0.
+    pub start_angle: Option<f64>,
+    /// Where the block starts; by default where its mounts carry weight and mean torque.
+    pub start_block: Option<StartOfBlock>,
+    /// What happens on the way besides what the file says.
+    pub events: Vec<Event>,
+    /// Points of the block whose motion is asked for, besides those of the file.
+    pub points: Vec<NamedPoint>,
     /// Whether it may take as long as it takes.
     pub long: bool,
 }
@@ -88,9 +97,14 @@ pub(crate) fn plan(
         RunLength::Time(time) => simulation.duration = Duration::Time(time),
         RunLength::Periodic => {}
     }
-    simulation.start_angle = input.start_angle.unwrap_or(0.0);
+    simulation.start_angle = request.start_angle.or(input.start_angle).unwrap_or(0.0);
     simulation.step = request.step.or(input.step).unwrap_or(simulation.step);
     simulation.tolerance = request.tolerance.or(input.tolerance).unwrap_or(simulation.tolerance);
+    simulation.tolerances = input.tolerances;
+    for mesh in &input.meshes {
+        train.set_mesh(&mesh.shaft, mesh.pressure_angle, mesh.z)?;
+    }
+    notes.extend(crank_bodies(engine, train, input.crank_as_body == Some(true))?);
     if request.long {
         (simulation.most_evaluations, simulation.most_samples) = (u64::MAX, u64::MAX);
     }
@@ -103,7 +117,7 @@ pub(crate) fn plan(
     if input.guidance == Some(RodGuidance::Piston) {
         simulation.guidance = Guidance::Piston;
     }
-    if input.start_block == Some(StartOfBlock::AsDrawn) {
+    if request.start_block.or(input.start_block) == Some(StartOfBlock::AsDrawn) {
         simulation.block_start = BlockStart::AsDrawn;
     }
     if !input.main_stiffness.is_empty() {
@@ -133,6 +147,7 @@ pub(crate) fn plan(
     simulation.driveline.clone_from(&input.driveline);
     simulation.piston_damping = input.piston_damping.unwrap_or(0.0);
     simulation.events.clone_from(&input.events);
+    simulation.events.extend(request.events.iter().cloned());
     for &cylinder in &request.misfire {
         simulation.events.push(Event { when: When::Angle(TAU), action: Action::Misfire(cylinder) });
     }
@@ -230,6 +245,7 @@ fn unused(
         ("`imposed_against`", input.imposed_against.is_some() && !(imposed && moves)),
         ("`imposed`", !input.imposed.is_empty() && !has_profile),
         ("`block` of `start`", input.start_block.is_some() && !moves),
+        ("`point`", !input.points.is_empty() && !moves),
         ("`driveline_torque` of [block]", driveline_torque),
         ("`gas = \"states\"`, which the bond graph alone has", input.gas_states),
     ]

@@ -7,12 +7,14 @@ use crate::pressure::simulated::{GivenGas, gas_over_speed};
 use crate::run_plan::{RunPlan, SimulateRequest, action_words, plan};
 use lanchester_file::EngineFile;
 use lanchester_mechanism::{GasTrain, Lever, LoadError, TorqueRequest, torque};
-use lanchester_model::MainSharing;
 pub use lanchester_model::RunLength;
+use lanchester_model::{MainSharing, NamedPoint};
 use lanchester_multibody::{
-    BlockMotion, Drive, GasPressure, Load, LoadLaw, MainRule, Occasion, ReactsOn, RunState, Train,
+    BlockMotion, Drive, GasPressure, Load, LoadLaw, MainRule, Motion, Occasion, ReactsOn, Run, RunState,
+    Train,
 };
-use lanchester_report::{PeriodicResult, SIMULATION_VERSION, SimulationResult};
+use lanchester_report::{PeriodicResult, PointMotion, SIMULATION_VERSION, SimulationResult};
+use nalgebra::Vector3;
 use std::f64::consts::PI;
 
 /// Simulates `engine`; `traces` holds the files that [`crate::trace_names`] names.
@@ -137,6 +139,9 @@ pub fn simulate_watched(
         }
     }
     let on_mounts = simulation.block == BlockMotion::Mounts;
+    let named = input.map_or(&[][..], |input| &input.points).iter().chain(&request.points);
+    let points = named.map(|point| motion_of(point, &run)).collect();
+    let gears = train.rotors.iter().skip(1).map(|rotor| rotor.name.clone()).collect();
     Ok(SimulationResult {
         version: SIMULATION_VERSION,
         engine: engine.name.clone(),
@@ -152,6 +157,20 @@ pub fn simulate_watched(
             Some(MainSharing::Cut) | None => MainRule::Cut,
         },
         periodic,
+        gears,
+        points,
         run,
     })
+}
+
+/// Displacement of a point of the block at every sample.
+fn motion_of(point: &NamedPoint, run: &Run) -> PointMotion {
+    let at = Vector3::from(point.at);
+    let places = run.samples.position.iter().zip(&run.samples.orientation);
+    let displacement = places.map(|(position, orientation)| {
+        let motion =
+            Motion { position: (*position).into(), orientation: *orientation, ..Motion::fixed(0.0, 0.0) };
+        (motion.position + motion.rotation() * at - at).into()
+    });
+    PointMotion { name: point.name.clone(), at: point.at, displacement: displacement.collect() }
 }

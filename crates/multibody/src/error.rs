@@ -86,6 +86,30 @@ pub enum MultibodyError {
         /// Samples that are allowed.
         most_samples: f64,
     },
+    /// The motion that repeats is asked for, with a governor whose dead time makes all its past part of the state.
+    #[error(
+        "the periodic motion is not searched with a dead time of {delay} s of the governor: give it a `lag` instead, or run for a time until it has settled"
+    )]
+    DelayNotPeriodic {
+        /// Dead time [s].
+        delay: f64,
+    },
+    /// A crankshaft is to turn as a body, and the file does not describe one.
+    #[error("{name} cannot turn as a body: {reason}")]
+    NoCrankBody {
+        /// Name of the crankshaft.
+        name: String,
+        /// Why.
+        reason: String,
+    },
+    /// A shaft cannot be driven by the teeth that are given.
+    #[error("the gear of \"{shaft}\" has no line of action: {reason}")]
+    NoMesh {
+        /// Name of the shaft.
+        shaft: String,
+        /// Why.
+        reason: String,
+    },
     /// The equations of motion have no solution at a state.
     #[error("the mass matrix at crank angle {theta} rad is not positive definite")]
     Singular {

@@ -93,6 +93,9 @@ impl Train {
         gas: Option<&dyn GasPressure>,
         watch: &dyn Fn(RunState) -> bool,
     ) -> Result<Periodic, MultibodyError> {
+        if let Some(governor) = simulation.governor.filter(|governor| governor.delay > 0.0) {
+            return Err(MultibodyError::DelayNotPeriodic { delay: governor.delay });
+        }
         let revolutions = f64::from(self.revolutions);
         let tolerance = simulation.tolerance.min(1e-11);
         let quiet = Simulation {
@@ -209,7 +212,7 @@ impl<'a> Search<'a> {
             sizes.extend([1e-3 * speed; 6]);
         }
         if layout.governed {
-            sizes.extend([1.0; 2]);
+            sizes.extend(std::iter::repeat_n(1.0, layout.relaxing() - layout.governor()));
         }
         sizes.extend(std::iter::repeat_n(1e-3, layout.branches));
         Search { runner, start, sizes, moves_freely }
@@ -277,7 +280,7 @@ impl Runner<'_> {
             all.extend(&own[7..13]);
         }
         if layout.governed {
-            all.extend(&self.state[layout.governor()..layout.governor() + 2]);
+            all.extend(&self.state[layout.governor()..layout.relaxing()]);
         }
         all.extend(&self.state[layout.relaxing()..layout.works()]);
         all
@@ -310,8 +313,7 @@ impl Runner<'_> {
             self.state[at + 7..at + 13].copy_from_slice(&own[6..]);
         }
         if layout.governed {
-            let at = layout.governor();
-            (self.state[at], self.state[at + 1]) = (next(), next());
+            self.state[layout.governor()..layout.relaxing()].iter_mut().for_each(|own| *own = next());
         }
         self.state[layout.relaxing()..layout.works()].iter_mut().for_each(|own| *own = next());
     }

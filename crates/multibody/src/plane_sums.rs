@@ -14,6 +14,7 @@
 //!
 //! rotors about an axis A at the ratio r, by first moment S, product P and polar inertia J alone (mass and transverse inertia are the block's):
 //! what is linear in the places of their masses is that of points at A + e(theta), of which the squares of e, and of A, are left out;
+//! the moments of a rotor that differ across its axis are those of points about it whose squares of x and y cancel in sum;
 //! J is a rod's that is the same in all directions of the plane and turns at r: sigma' = r, and its share across the axis is taken back
 //! ```
 
@@ -101,6 +102,17 @@ impl PlaneSums {
         self.rates[2] += a.im * s1.re;
         self.rates[3] += a.im * s1.im;
         self.sweep += cross(a, s * rates[2]);
+        if rotor.unequal != Complex64::ZERO {
+            // Points about the axis whose sum of x^2 + y^2 is in the polar inertia.
+            let half = 0.5 * rotor.unequal * turn * turn;
+            self.second[0] += half.re;
+            self.second[1] -= half.re;
+            self.second[2] += half.im;
+            self.rates[0] -= ratio * half.im;
+            self.rates[1] += ratio * half.re;
+            self.rates[2] += ratio * half.re;
+            self.rates[3] += ratio * half.im;
+        }
         for own in &mut self.rod[..3] {
             *own += rotor.inertia;
         }

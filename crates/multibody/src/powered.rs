@@ -2,6 +2,8 @@
 //!
 //! Unknown accelerations are those of block, crank and driveline; works of everything that gives or takes energy are integrated beside the states.
 
+mod governor;
+mod history;
 mod works;
 
 use crate::dynamics::{CrankInertia, Equations};
@@ -15,7 +17,11 @@ use crate::simulation::{
 };
 use crate::symmetric::{self, MOST, Matrix};
 use crate::train::Train;
+pub(crate) use governor::governor_now;
+pub(crate) use history::History;
 use nalgebra::Vector3;
+use std::cell::RefCell;
+use std::rc::Rc;
 pub(crate) use works::*;
 
 /// Places of the parts of a state.
@@ -24,6 +30,8 @@ pub(crate) struct Layout {
     pub links: usize,
     pub moving: bool,
     pub governed: bool,
+    /// Whether the actuator of the governor lags.
+    pub lagged: bool,
     /// Branches of all mounts.
     pub branches: usize,
     /// Works that can be other than 0: these alone are integrated.
@@ -44,7 +52,7 @@ impl Layout {
     }
 
     pub fn relaxing(self) -> usize {
-        self.governor() + if self.governed { 2 } else { 0 }
+        self.governor() + usize::from(self.governed) + usize::from(self.lagged)
     }
 
     pub fn works(self) -> usize {
@@ -103,6 +111,8 @@ pub(crate) struct Conditions {
     pub window: [f64; 2],
     /// Times between which the profile of an imposed speed has no knot.
     pub times: [f64; 2],
+    /// Times between which the command of a governor with a dead time does not jump, one dead time before now.
+    pub delayed: [f64; 2],
 }
 
 /// A mount at one instant, axes of the frame.
@@ -145,6 +155,8 @@ pub(crate) struct Powered<'a> {
     pub equations: Option<Equations>,
     /// Torque that keeps the crank from turning where it is held, or at its imposed speed [N m].
     pub holding: f64,
+    /// Commands of a governor with a dead time.
+    pub history: Option<Rc<RefCell<History>>>,
 }
 
 /// What block and crank have without a driveline.
@@ -289,8 +301,8 @@ impl<'a> Powered<'a> {
         let speed = state[1];
         let mut places = std::mem::take(&mut self.places);
         self.train.places_into(theta, &mut places);
-        let throttle = if layout.governed { state[layout.governor()].clamp(0.0, 1.0) } else { 1.0 };
-        self.set_gas(theta, speed, throttle);
+        let governor = self.governor_now(t, state);
+        self.set_gas(theta, speed, governor.map_or(1.0, |governor| governor.factor));
         let motion = self.motion(theta, state);
         let spin_z = motion.spin.z;
 
@@ -417,15 +429,12 @@ impl<'a> Powered<'a> {
             rates[at + 3..at + 7].copy_from_slice(&motion.orientation_rate());
             rates[at + 7..at + 13].copy_from_slice(&rhs[..6]);
         }
-        if let (Some(governor), true) = (&simulation.governor, layout.governed) {
+        if let Some(governor) = governor {
             let at = layout.governor();
-            let (u, sum) = (state[at], state[at + 1]);
-            let error = governor.speed * (1.0 - governor.droop * u) - speed;
-            let wanted = governor.gain * error + sum;
-            rates[at] = (wanted.clamp(0.0, 1.0) - u) / governor.delay;
-            // The integral waits while the actuator is at its end.
-            let waits = (wanted > 1.0 && error > 0.0) || (wanted < 0.0 && error < 0.0);
-            rates[at + 1] = if waits { 0.0 } else { governor.gain * governor.integral * error };
+            rates[at] = governor.sum_rate;
+            if layout.lagged {
+                rates[at + 1] = governor.rate;
+            }
         }
         let absolute = speed + spin_z;
         let mut works = [0.0; WORKS];

@@ -71,6 +71,9 @@ pub struct RotorReactions {
     pub bearings: Wrench,
     /// Torque of its gear or chain on it [N m]; for crankshaft 1 that of all gears together.
     pub gear_torque: f64,
+    /// Force of its teeth on it at the pitch point, along the line of action, where the pressure angle is given, else 0 [N]; for crankshaft 1 the sum of all. The
+    /// bearings carry it.
+    pub gear_force: [f64; 3],
     /// Journals on the main bearings by rule ([`crate::MainRule::ALL`]), then by main: `x`, `y` [N]; empty without two mains.
     pub mains: [Vec<[f64; 2]>; 3],
 }
@@ -170,6 +173,8 @@ impl Carrier {
 pub(crate) struct Scratch {
     handed: Vec<Option<Handed>>,
     loads: Vec<ShaftLoad>,
+    /// Forces on crankshaft 1 by teeth, with their planes.
+    teeth: Vec<(Vector3<f64>, f64)>,
     sums: Vec<[f64; 2]>,
 }
 
@@ -179,6 +184,19 @@ struct Handed {
     /// On the lower pin.
     force: Vector3<f64>,
     couple: Vector3<f64>,
+}
+
+/// Inertia moment of a rotor by what its inertias across its axis differ: `-(I alpha + spin x I spin)` with `I z = 0`.
+fn unequal_moment(unequal: Complex64, carrier: &Carrier, ratio: f64) -> Vector3<f64> {
+    if unequal == Complex64::ZERO {
+        return Vector3::zeros();
+    }
+    let half = 0.5 * unequal;
+    let tensor =
+        |x: &Vector3<f64>| Vector3::new(-half.re * x.x - half.im * x.y, -half.im * x.x + half.re * x.y, 0.0);
+    let turning = ratio * carrier.speed * Vector3::z();
+    let alpha = carrier.angular + carrier.spin.cross(&turning);
+    -(tensor(&alpha) + (carrier.spin + turning).cross(&tensor(&carrier.spin)))
 }
 
 impl Train {
@@ -223,7 +241,8 @@ impl Train {
             on_block[1] += moment + pin.cross(&wall) + head.cross(&gas);
         }
         let mut rotors: Vec<RotorReactions> = Vec::with_capacity(self.rotors.len());
-        let mut reflected = 0.0;
+        let (mut reflected, mut beside) = (0.0, 0.0);
+        scratch.teeth.clear();
         for index in (0..self.rotors.len()).rev() {
             let (mut own, torque) = self.rotor(instant, &carrier, index, shares.get(index), scratch);
             let axis = in_plane(self.rotors[index].axis, 0.0);
@@ -236,12 +255,16 @@ impl Train {
                 let outside = torque - own.gear_torque;
                 rotors.push(own);
                 rotors.reverse();
-                on_block[1].z -= rotors.iter().map(|rotor| rotor.gear_torque).sum::<f64>();
+                on_block[1].z -= beside;
                 let on_block = Wrench::of(on_block[0], on_block[1]);
                 return Reactions { cylinders, rotors, on_block, shaft_torque: -outside };
             }
             own.gear_torque = torque;
             reflected += self.rotors[index].ratio * torque;
+            // Where the teeth are known, the bearings carry what the axes' distance makes of their force.
+            if self.rotors[index].mesh.is_none() {
+                beside += torque - self.rotors[index].ratio * torque;
+            }
             rotors.push(own);
         }
         Reactions { cylinders, on_block: Wrench::of(on_block[0], on_block[1]), ..Reactions::default() }
@@ -351,7 +374,7 @@ impl Train {
         let rotor = &self.rotors[index];
         let (z, w) = (Vector3::z(), carrier.speed);
         let turn = Complex64::cis(rotor.ratio * instant.motion.theta);
-        let Scratch { handed, loads, sums } = scratch;
+        let Scratch { handed, loads, teeth, sums } = scratch;
         loads.clear();
         // Unbalances a + i b turn together: what they exert is linear in a and b, and in the planes that they are in.
         let directions = [turn, turn * Complex64::I].map(|unit| in_plane(unit, 0.0));
@@ -371,13 +394,16 @@ impl Train {
         loads.push(ShaftLoad { force: zero, couple: by_plane_a });
         loads.push(ShaftLoad { force: zero, couple: by_plane_b });
         loads.push(ShaftLoad { force: zero, couple: gyroscopic });
+        let unequal = unequal_moment(rotor.unequal * turn * turn, carrier, rotor.ratio);
+        loads.push(ShaftLoad { force: zero, couple: unequal });
         let (first, product) = (rotor.first_moment, rotor.product);
         let mut force = first.re * force_a + first.im * force_b;
         let mut moment = first.re * couple_a
             + first.im * couple_b
             + product.re * (by_plane_a + z.cross(&force_a))
             + product.im * (by_plane_b + z.cross(&force_b))
-            + rotor.inertia * gyroscopic;
+            + rotor.inertia * gyroscopic
+            + unequal;
         for (cylinder, on_pin) in self.cylinders.iter().zip(handed.iter()) {
             let on_crankpin = cylinder.rotor == index && cylinder.lower_pin == LowerPin::Crankpin;
             if let Some(on_pin) = on_pin.filter(|_| on_crankpin) {
@@ -391,7 +417,22 @@ impl Train {
         let needs = rotor.inertia * (carrier.angular.z + rotor.ratio * carrier.rate);
         let torque = needs - moment.z;
         moment.z = 0.0;
+        let mut gear_force = Vector3::zeros();
+        if let (Some(mesh), true) = (rotor.mesh, index > 0) {
+            let own = self.mesh_force(index, mesh, torque);
+            teeth.push((-own, mesh.z));
+            (gear_force, force, moment) = (own, force + own, moment + mesh.z * z.cross(&own));
+            loads.push(ShaftLoad { force: own, couple: zero });
+        } else if index == 0 {
+            for (own, plane) in teeth.iter() {
+                gear_force += own;
+                force += own;
+                moment += *plane * z.cross(own);
+                loads.push(ShaftLoad { force: *own, couple: zero });
+            }
+        }
         let mains = shares.map_or_else(Default::default, |shares| shares.carried(loads, sums));
-        (RotorReactions { bearings: Wrench::of(force, moment), gear_torque: 0.0, mains }, torque)
+        let bearings = Wrench::of(force, moment);
+        (RotorReactions { bearings, gear_torque: 0.0, gear_force: gear_force.into(), mains }, torque)
     }
 }

@@ -12,6 +12,7 @@
 //! are freedoms; places are corrected by Newton on `g`.
 
 pub(crate) mod engine;
+pub mod squeezer;
 
 use nalgebra::{DMatrix, DVector, Matrix3, Rotation3, UnitQuaternion, Vector3};
 

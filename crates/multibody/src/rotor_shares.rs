@@ -14,7 +14,8 @@ pub(crate) struct ShaftLoad {
 
 /// What every main bearing of a rotor carries of every load on it, by rule.
 ///
-/// Rows: all unbalances `a + i b` along a, along b, the couples of each by its plane along a, along b, the polar inertia, every rod on a crankpin.
+/// Rows: all unbalances `a + i b` along a, along b, the couples of each by its plane along a, along b, the polar inertia, the inertias that differ
+/// across the axis, every rod on a crankpin, the teeth.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct RotorShares {
     mains: usize,
@@ -85,10 +86,17 @@ impl Train {
         let mut inertia: Vec<(f64, [f64; 2])> = rotor.bays().map(|z| (z, [0.0, each])).collect();
         inertia.push((rotor.mains.last().copied().unwrap_or(0.0), [0.0, rotor.flywheel]));
         row(&inertia);
+        let each = 1.0 / rotor.bays().count() as f64;
+        let unequal: Vec<(f64, [f64; 2])> = rotor.bays().map(|z| (z, [0.0, each])).collect();
+        row(&unequal);
         for cylinder in &self.cylinders {
             if cylinder.rotor == index && cylinder.lower_pin == LowerPin::Crankpin {
                 row(&[(cylinder.z, [1.0; 2])]);
             }
+        }
+        let teeth = self.rotors.iter().enumerate().rev().filter_map(|(other, own)| Some((other, own.mesh?)));
+        for (_, mesh) in teeth.filter(|(other, _)| index == 0 || *other == index) {
+            row(&[(mesh.z, [1.0; 2])]);
         }
         RotorShares { mains: rotor.mains.len(), table }
     }

@@ -10,11 +10,12 @@ mod kept;
 pub(crate) mod kinks;
 pub(crate) mod result;
 pub(crate) mod runner;
+mod watch;
 
 use crate::error::MultibodyError;
 use crate::gas_pressure::GasPressure;
 use crate::mount_place::MountPlace;
-use crate::powered::{Conditions, Layout, Powered, Torques, counted};
+use crate::powered::{Conditions, History, Layout, Powered, Torques, counted, governor_now};
 use crate::reactions::{Instant, Scratch};
 use crate::run::audit::Auditor;
 use crate::run::check::check;
@@ -24,9 +25,12 @@ use crate::run::runner::Runner;
 use crate::simulation::{Action, BlockMotion, BlockStart, Drive, Duration, Simulation, When, load_torque};
 use crate::train::Train;
 use kept::Kept;
-use lanchester_numerics::{Dop853, Outcome, SampleGrid, Settings, Step, System};
+use lanchester_numerics::{Dop853, Outcome, SampleGrid, Settings, Step};
+use std::cell::RefCell;
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
+use std::rc::Rc;
+use watch::{Mark, Piece, Watch};
 
 /// Speed above which the crank angle is the independent variable, and the one above which it becomes it again [rad/s].
 const FAST: [f64; 2] = [5.0, 6.0];
@@ -37,95 +41,14 @@ const PIECE: f64 = 32.0 * TAU;
 /// Times [s] and angles [rad] closer than this are one moment.
 const SAME_MOMENT: f64 = 1e-11;
 
+/// Any time.
+const ANY_TIME: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
+
+/// Revolutions of one piece over the angle, and steps over the dead time, with a governor that has one.
+const WITH_DELAY: [f64; 2] = [2.0 * TAU, 0.9];
+
 /// Most pieces of a run: events, halts and kinks at low speed.
 const MOST_PIECES: usize = 1_000_000;
-
-/// A change of sign that ends a piece.
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Watch {
-    /// `speed - value`, where it falls or rises.
-    Speed(f64, bool, Mark),
-    /// `theta - value`.
-    Angle(f64, Mark),
-    /// `t - value`.
-    Time(f64, Mark),
-    /// What friction can hold less what it must.
-    Grip,
-}
-
-/// What a watch is for.
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Mark {
-    Event(usize),
-    Starter,
-    Mode,
-    Halt,
-    Kink,
-    Knot,
-}
-
-struct Piece<'r, 'a> {
-    powered: &'r mut Powered<'a>,
-    over_angle: bool,
-    watches: Vec<Watch>,
-}
-
-impl System for Piece<'_, '_> {
-    fn dimension(&self) -> usize {
-        self.powered.layout.dimension()
-    }
-
-    fn derivative(&mut self, x: f64, y: &[f64], derivative: &mut [f64]) {
-        if self.over_angle {
-            self.powered.rates(y[0], x, y, derivative);
-            let by_angle = 1.0 / y[1];
-            derivative.iter_mut().for_each(|rate| *rate *= by_angle);
-            derivative[0] = by_angle;
-        } else {
-            self.powered.rates(x, y[0], y, derivative);
-        }
-    }
-
-    fn enter(&mut self, from: f64, to: f64) {
-        if self.over_angle {
-            self.powered.conditions.window = [from, to];
-        } else {
-            self.powered.conditions.times = [from, to];
-        }
-    }
-
-    fn events(&self) -> usize {
-        self.watches.len()
-    }
-
-    fn is_quiet(&self, from: f64, to: f64, start: &[f64], reach: &[f64]) -> bool {
-        let apart = |component: usize, value: f64| (start[component] - value).abs() > reach[component];
-        let beside = |place: f64| (place - from) * (place - to) > 0.0;
-        self.watches.iter().all(|watch| match *watch {
-            Watch::Speed(speed, _, _) => apart(1, speed),
-            Watch::Angle(angle, _) if self.over_angle => beside(angle),
-            Watch::Time(time, _) if !self.over_angle => beside(time),
-            Watch::Angle(value, _) | Watch::Time(value, _) => apart(0, value),
-            Watch::Grip => false,
-        })
-    }
-
-    fn event_functions(&mut self, x: f64, y: &[f64], values: &mut [f64]) {
-        let (t, theta) = if self.over_angle { (y[0], x) } else { (x, y[0]) };
-        for (value, watch) in values.iter_mut().zip(&self.watches) {
-            *value = match *watch {
-                Watch::Speed(speed, _, _) => y[1] - speed,
-                Watch::Angle(angle, _) => theta - angle,
-                Watch::Time(time, _) => t - time,
-                Watch::Grip => {
-                    let mut rates = vec![0.0; y.len()];
-                    self.powered.rates(t, theta, y, &mut rates);
-                    self.powered.dry_torque() - self.powered.holding.abs()
-                }
-            };
-        }
-    }
-}
 
 impl Train {
     /// Runs the engine under `gas`.
@@ -169,6 +92,7 @@ impl Train {
         runner.take(&kept, &mut samples, &mut auditor);
         let outcome = runner.go(|runner, kept| runner.take(kept, &mut samples, &mut auditor));
         let (audit, energy) = auditor.close(&mut runner);
+        let tolerances = simulation.tolerances_at(simulation.start_speed.abs().max(1.0), runner.scale);
         Ok(Run {
             version: RUN_VERSION,
             engine: self.name.clone(),
@@ -179,6 +103,7 @@ impl Train {
             energy,
             audit,
             cost: runner.cost,
+            tolerances,
         })
     }
 }
@@ -195,6 +120,7 @@ impl<'a> Runner<'a> {
             links: simulation.driveline.len(),
             moving: simulation.block != BlockMotion::Fixed,
             governed: simulation.governor.is_some(),
+            lagged: simulation.governor.is_some_and(|governor| governor.lag > 0.0),
             branches: match simulation.block {
                 BlockMotion::Mounts => train.mounts.iter().map(MountPlace::branches).sum(),
                 _ => 0,
@@ -217,12 +143,17 @@ impl<'a> Runner<'a> {
                     held: false,
                     window: [0.0; 2],
                     times: [0.0; 2],
+                    delayed: ANY_TIME,
                 },
                 places: Vec::new(),
                 forces: Vec::new(),
                 torques: Torques::default(),
                 equations: None,
                 holding: 0.0,
+                history: simulation
+                    .governor
+                    .filter(|governor| governor.delay > 0.0)
+                    .map(|governor| Rc::new(RefCell::new(History::new(governor.start, governor.delay)))),
             },
             time: 0.0,
             state: vec![0.0; layout.dimension()],
@@ -255,8 +186,8 @@ impl<'a> Runner<'a> {
             self.state[layout.link(index) + 1] = speed;
         }
         if layout.governed {
-            self.state[layout.governor()] = simulation.governor.map_or(0.0, |governor| governor.start);
-            self.state[layout.governor() + 1] = simulation.governor.map_or(0.0, |governor| governor.start);
+            let start = simulation.governor.map_or(0.0, |governor| governor.start);
+            self.state[layout.governor()..layout.relaxing()].fill(start);
         }
         if layout.moving {
             let at = layout.pose();
@@ -409,6 +340,27 @@ impl<'a> Runner<'a> {
                 }
             }
         }
+        let delay = match (&simulation.governor, &self.powered.history) {
+            (Some(governor), Some(history)) => {
+                let mut history = history.borrow_mut();
+                history.forget_before(self.time);
+                let window = history.window(self.time);
+                self.powered.conditions.delayed = window;
+                // The dead time brings back what jumped.
+                match over_angle {
+                    true if window[1].is_finite() => {
+                        watches.push(Watch::Time(window[1] + governor.delay, Mark::Knot));
+                    }
+                    true => {}
+                    false => end = end.min(window[1] + governor.delay),
+                }
+                if over_angle {
+                    end = end.min(from + WITH_DELAY[0]);
+                }
+                Some(governor.delay)
+            }
+            _ => None,
+        };
         if let (Some(starter), true) = (&simulation.starter, self.powered.conditions.starter) {
             watches.push(Watch::Speed(starter.until, true, Mark::Starter));
         }
@@ -422,27 +374,37 @@ impl<'a> Runner<'a> {
             });
         }
         // The integrator's norm is the root mean square over all components: few of them have the error.
-        let tolerance = 0.5 * simulation.tolerance / (layout.dimension() as f64).sqrt();
-        let mut settings = Settings::uniform(layout.dimension(), tolerance);
+        let share = 0.5 / (layout.dimension() as f64).sqrt();
+        let mut settings = Settings::uniform(layout.dimension(), share * simulation.tolerance);
         let speed = simulation.start_speed.abs().max(self.state[1].abs()).max(1.0);
-        settings.absolute[0] = if over_angle { tolerance / speed } else { tolerance };
-        settings.absolute[1] = tolerance * speed;
+        let kinds = simulation.tolerances_at(speed, self.scale);
+        let mut set =
+            |range: std::ops::Range<usize>, amount: f64| settings.absolute[range].fill(share * amount);
+        set(0..1, if over_angle { kinds.angle / speed } else { kinds.angle });
+        set(1..2, kinds.speed);
         for index in 0..layout.links {
-            settings.absolute[layout.link(index) + 1] = tolerance * speed;
+            let at = layout.link(index);
+            set(at..at + 1, kinds.angle);
+            set(at + 1..at + 2, kinds.speed);
         }
         if layout.moving {
-            // Micrometres and microradians, and their rates, are what a block moves by.
             let at = layout.pose();
-            settings.absolute[at..at + 7].fill(1e-3 * tolerance);
-            settings.absolute[at + 7..at + 13].fill(0.1 * tolerance);
-            settings.absolute[layout.relaxing()..layout.works()].fill(1e-3 * tolerance);
+            set(at..at + 3, kinds.displacement);
+            set(at + 3..at + 7, 0.5 * kinds.turn);
+            set(at + 7..at + 10, kinds.velocity);
+            set(at + 10..at + 13, kinds.spin);
+            set(layout.relaxing()..layout.works(), kinds.displacement);
         }
-        settings.absolute[layout.works()..].fill(tolerance * self.scale);
+        set(layout.works()..layout.dimension(), kinds.energy);
         settings.first_step = self.step;
         settings.stops = stops;
         settings.most_evaluations = simulation.most_evaluations.saturating_sub(self.cost.evaluations);
         // Over the angle a longer step would pass over what happens within a stroke.
         settings.longest_step = if over_angle { 0.5 } else { f64::INFINITY };
+        if let Some(delay) = delay {
+            let span = WITH_DELAY[1] * delay * if over_angle { self.state[1] } else { 1.0 };
+            settings.longest_step = settings.longest_step.min(span);
+        }
         if over_angle {
             // Twice a revolution or more the steps shorten towards a dead centre, and the estimate of their error passes through zero: measured on singles and
             // V6, fixed and on mounts, this rejects the fewest.
@@ -451,7 +413,8 @@ impl<'a> Runner<'a> {
         settings.event_tolerance = 1e-13 * if over_angle { 1.0 } else { 0.1 };
         let grid = if over_angle { simulation.step } else { simulation.step / FAST[0] };
         let origin = if over_angle { simulation.start_angle } else { 0.0 };
-        settings.samples = Some(SampleGrid { origin, spacing: grid });
+        // The commands of a governor with a dead time are kept at every step.
+        settings.samples = delay.is_none().then_some(SampleGrid { origin, spacing: grid });
         let mut integrator = Dop853::new(settings);
 
         let mut y = self.state.clone();
@@ -460,8 +423,26 @@ impl<'a> Runner<'a> {
             y[0] = self.time;
         }
         let watch = self.watch;
+        let history = self.powered.history.clone().zip(simulation.governor);
+        let delayed = self.powered.conditions.delayed;
+        let mut room = vec![0.0; layout.dimension()];
         let mut system = Piece { powered: &mut self.powered, over_angle, watches };
         let outcome = integrator.run(&mut system, &mut x, &mut y, end, |step: &Step| {
+            if let Some((history, governor)) = &history {
+                let places = History::places().map(|share| match share {
+                    1.0 => step.to,
+                    share => step.from + share * (step.to - step.from),
+                });
+                let mut history = history.borrow_mut();
+                let (mut times, mut commands) = (places, places);
+                for (k, at) in places.into_iter().enumerate() {
+                    step.at(at, &mut room);
+                    times[k] = if over_angle { room[0] } else { at };
+                    commands[k] =
+                        governor_now(governor, layout, Some(&history), delayed, (times[k], &room)).command;
+                }
+                history.push(times, commands);
+            }
             let mut index = ((step.from - origin) / grid * (1.0 + 1e-14)).floor() + 1.0;
             loop {
                 let at = origin + index * grid;
@@ -525,6 +506,9 @@ impl<'a> Runner<'a> {
 
     fn note(&mut self, what: Occasion) {
         let (time, theta, speed) = (self.time, self.state[0], self.state[1]);
+        if let Some(history) = &self.powered.history {
+            history.borrow_mut().jump(time);
+        }
         self.happened.push(Happened { what, time, theta, speed });
     }
 
@@ -613,8 +597,9 @@ impl<'a> Runner<'a> {
 
     /// Evaluates what was kept.
     fn take(&mut self, kept: &Kept, samples: &mut Samples, auditor: &mut Auditor) {
-        let before = (self.powered.conditions.window, self.powered.conditions.times);
-        self.powered.conditions.times = [0.0; 2];
+        let conditions = &mut self.powered.conditions;
+        let before = (conditions.window, conditions.times, conditions.delayed);
+        (conditions.times, conditions.delayed) = ([0.0; 2], ANY_TIME);
         let shares = if self.powered.simulation.reactions {
             self.powered.train.main_shares(&self.powered.simulation.main_stiffness)
         } else {
@@ -638,6 +623,9 @@ impl<'a> Runner<'a> {
             samples.friction_torque.push(torques.friction);
             samples.outside_torque.push(torques.outside);
             samples.driveline_torque.push(torques.driveline);
+            if let Some(governor) = self.powered.governor_now(time, state) {
+                samples.governor.push(governor.factor);
+            }
             let layout = self.powered.layout;
             if layout.links > 0 {
                 let link = |index: usize| [state[layout.link(index)], state[layout.link(index) + 1]];
@@ -665,16 +653,7 @@ impl<'a> Runner<'a> {
             }
             auditor.look(&self.powered, theta, state);
         }
-        (self.powered.conditions.window, self.powered.conditions.times) = before;
-    }
-}
-
-impl Watch {
-    /// The same with nothing to be done at it.
-    fn passed_over(self) -> Watch {
-        match self {
-            Watch::Speed(speed, rising, _) => Watch::Speed(speed, rising, Mark::Mode),
-            other => other,
-        }
+        let conditions = &mut self.powered.conditions;
+        (conditions.window, conditions.times, conditions.delayed) = before;
     }
 }

@@ -3,7 +3,7 @@
 use crate::reactions::Guidance;
 pub use lanchester_model::{
     Action, DrivelineInertia, Event, Governor, ImposedAgainst, LoadLaw, ReactsOn, RunLoad as Load, Starter,
-    TorqueOrder, When,
+    StateTolerances, TorqueOrder, When,
 };
 use serde::Serialize;
 
@@ -31,6 +31,8 @@ pub struct Simulation {
     pub step: f64,
     /// Relative tolerance of every step.
     pub tolerance: f64,
+    /// Absolute tolerances by kind of state that differ from those that follow from `tolerance`.
+    pub tolerances: StateTolerances,
     /// Which pin guides the rods.
     pub guidance: Guidance,
     /// Stiffness of the main bearings for the rule `springs`, by crankshaft and main [N/m]; empty: all alike.
@@ -72,6 +74,7 @@ impl Simulation {
             gravity: 0.0,
             step: std::f64::consts::PI / 180.0,
             tolerance: 1e-9,
+            tolerances: StateTolerances::default(),
             guidance: Guidance::Crankpin,
             main_stiffness: Vec::new(),
             reactions: false,
@@ -93,6 +96,46 @@ impl Simulation {
         let drive = Drive::Imposed { profile: vec![[0.0, speed]], against: ImposedAgainst::Block };
         Simulation { drive, ..Simulation::free(speed, revolutions) }
     }
+}
+
+impl Simulation {
+    /// Tolerances by kind of state, where speeds are measured against `speed` [rad/s] and energies against `energy` [J].
+    pub fn tolerances_at(&self, speed: f64, energy: f64) -> Tolerances {
+        let (all, own) = (self.tolerance, &self.tolerances);
+        Tolerances {
+            relative: all,
+            angle: own.angle.unwrap_or(all),
+            speed: own.speed.unwrap_or(all * speed),
+            // Micrometres and microradians, and their rates, are what a block moves by.
+            displacement: own.displacement.unwrap_or(1e-3 * all),
+            turn: own.turn.unwrap_or(2e-3 * all),
+            velocity: own.velocity.unwrap_or(0.1 * all),
+            spin: own.spin.unwrap_or(0.1 * all),
+            energy: own.energy.unwrap_or(all * energy),
+        }
+    }
+}
+
+/// Tolerances of a run's steps. The error of each component is measured against its absolute tolerance and `relative` times its size; the root
+/// mean square of all stays below a half of 1 over the root of their number, so that no component has more error than its tolerance.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, schemars::JsonSchema)]
+pub struct Tolerances {
+    /// Relative, of every component.
+    pub relative: f64,
+    /// Of the angles of crank and driveline [rad].
+    pub angle: f64,
+    /// Of their speeds [rad/s].
+    pub speed: f64,
+    /// Of the place of the block and of the dashpots of its mounts [m].
+    pub displacement: f64,
+    /// Of the turn of the block [rad].
+    pub turn: f64,
+    /// Of its velocity [m/s].
+    pub velocity: f64,
+    /// Of its angular velocity [rad/s].
+    pub spin: f64,
+    /// Of works [J].
+    pub energy: f64,
 }
 
 /// What sets the speed.

@@ -3,6 +3,7 @@
 //! Directions across the crank axis are complex, `x + i y`; everything is placed in the axes of the block. Angles of every shaft follow
 //! from the crank angle of crankshaft 1 by its ratio.
 
+mod gear_mesh;
 mod of_engine;
 
 use crate::block::BlockBody;
@@ -74,6 +75,10 @@ pub struct Rotor {
     pub product: Complex64,
     /// Planes of its main bearings [m], rising; empty for a balance shaft.
     pub mains: Vec<f64>,
+    /// `INTEGRAL (x + i y)^2 dm` at `theta = 0` [kg m^2]: by what its inertias across the axis differ, and their product; 0 where it has none, or nobody says.
+    pub unequal: Complex64,
+    /// Teeth by which crankshaft 1 drives it, where they are known.
+    pub mesh: Option<Mesh>,
 }
 
 impl Rotor {
@@ -90,6 +95,8 @@ impl Rotor {
             first_moment: zero,
             product: zero,
             mains: Vec::new(),
+            unequal: zero,
+            mesh: None,
         }
     }
 
@@ -107,6 +114,8 @@ impl Rotor {
         }
     }
 }
+
+pub use gear_mesh::Mesh;
 
 /// What the lower end of a rod sits on.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -204,6 +213,21 @@ impl Train {
     /// Angle through which the own crankshaft of cylinder `index` has turned since it fired, in its sense of rotation [rad].
     pub fn own_angle(&self, index: usize, theta: f64) -> f64 {
         self.ratio(index).abs() * (theta - self.cylinders[index].firing_angle.unwrap_or(0.0))
+    }
+
+    /// Gives a rotor the first moment `first` [kg m], the moment `product = INTEGRAL z (x + i y) dm` and the moment `unequal` of [`Rotor::unequal`]
+    /// [kg m^2] of a body, all at `theta = 0`: what its unbalances lack is added in its outermost planes of main bearings. Nothing happens to a rotor without two of them.
+    pub fn set_body(&mut self, index: usize, first: Complex64, product: Complex64, unequal: Complex64) {
+        let Some(rotor) = self.rotors.get_mut(index) else { return };
+        let (Some(&front), Some(&rear)) = (rotor.mains.first(), rotor.mains.last()) else { return };
+        if rear <= front {
+            return;
+        }
+        let (first, product) = (first - rotor.first_moment, product - rotor.product);
+        let behind = (product - front * first) / (rear - front);
+        rotor.add(front, first - behind);
+        rotor.add(rear, behind);
+        rotor.unequal = unequal;
     }
 
     /// The first rotor whose polar inertia nobody gave.

@@ -2,13 +2,16 @@
 
 pub(crate) mod crosscheck;
 pub(crate) mod figure;
+mod moving;
 pub(crate) mod orders;
 pub(crate) mod result;
 pub(crate) mod run;
 pub(crate) mod section;
+pub(crate) mod series;
 
 pub use crosscheck::*;
-pub use orders::{SimulatedOrder, simulation_orders_csv};
+pub use orders::SimulatedOrder;
 pub use result::*;
 pub use run::*;
 pub use section::{simulation_figures, simulation_section};
+pub use series::*;

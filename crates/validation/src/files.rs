@@ -132,6 +132,8 @@ pub(crate) const FILES: &[(&str, &str)] = embedded![
     "modelica-engines/single-gas.json",
     "modelica-engines/single.json",
     "modelica-engines/slider-crank.json",
+    "mechanisms/source.json",
+    "mechanisms/squeezer.json",
 ];
 
 /// The synthetic pressure traces, and gas laws of others as traces, by the names under which engine files ask for them.

@@ -23,6 +23,7 @@ mod gas;
 mod gas_run;
 mod graph;
 mod inputs;
+mod mechanism;
 mod method;
 mod mount;
 mod quantity;
@@ -239,6 +240,9 @@ fn ours(bench: &mut Bench, place: &Place, engine: &[Edit], further: &[Edit]) -> 
     let key = Key::parse(&row.key)?;
     let edits = [engine, column_edits, &row.with, further].concat();
     let divisor: f64 = row.divided_by.values().product();
+    if let Key::Mechanism(key) = &key {
+        return Ok(Ours { value: Value::Number(key.of()? / divisor), is_input: false });
+    }
     if let Key::Workshop(key) = &key {
         let (sheet, inputs) = sheet(source, &edits)?;
         let number = key.of(&sheet)?;
@@ -275,6 +279,9 @@ fn describe(place: &Place, engine: &[Edit]) -> String {
     let kinematics = |k: KinematicsName| k.kinematics().name();
     let edits = [engine, column_edits, &row.with].concat();
     let engine = edits.iter().map(Edit::to_string).collect::<Vec<_>>().join(", ");
+    if row.key.starts_with("squeezer ") {
+        return row.key.clone() + &table.how.as_ref().map_or_else(String::new, |how| format!(". {how}"));
+    }
     if row.key.starts_with("workshop ") {
         return format!("{engine}; {}", row.key);
     }

@@ -15,11 +15,12 @@
 //! `... of rotating + reciprocating`, `... of cylinder 1` takes a name from these alone. The rest are data of the
 //! engine, see [`EngineDatum`]; `a plus b` adds them. Devices that a method fits: [`DeviceKey`]. Shapes of counterweights:
 //! [`ShapeKey`]. Forces at mounts: [`MountKey`]. What the gas does: [`GasKey`]. The bond graph: [`GraphKey`]. Static stress: [`StressKey`].
-//! Torsion: [`TorsionKey`]. Runs in time: [`RunKey`]. Workshop sheets: [`WorkshopKey`].
+//! Torsion: [`TorsionKey`]. Runs in time: [`RunKey`]. Workshop sheets: [`WorkshopKey`]. Mechanisms: [`MechanismKey`].
 
 use crate::case::Run;
 use crate::gas::GasKey;
 use crate::graph::GraphKey;
+use crate::mechanism::MechanismKey;
 use crate::method::DeviceKey;
 use crate::mount::MountKey;
 use crate::rigid_run::RunKey;
@@ -57,6 +58,8 @@ pub(crate) enum Key {
     Stress(StressKey),
     /// Of a run in time.
     Run(RunKey),
+    /// Of a mechanism that is no engine.
+    Mechanism(MechanismKey),
     /// Of a workshop sheet.
     Workshop(WorkshopKey),
 }
@@ -185,6 +188,9 @@ impl Key {
         if let Some(mount) = MountKey::parse(text) {
             return Ok(Key::Mount(mount));
         }
+        if let Some(mechanism) = MechanismKey::parse(text) {
+            return Ok(Key::Mechanism(mechanism));
+        }
         if let Some(workshop) = WorkshopKey::parse(text) {
             return Ok(Key::Workshop(workshop));
         }
@@ -234,6 +240,7 @@ impl Key {
                 found.as_ref().map(|found| Value::Number(stress.of(found))).map_err(Clone::clone)
             }
             Key::Run(key) => key.of(run).map(Value::Number),
+            Key::Mechanism(_) => Err("an engine is no mechanism of its own".to_string()),
             Key::Workshop(_) => Err("an engine is no workshop sheet".to_string()),
         }
     }

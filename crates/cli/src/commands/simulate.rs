@@ -3,24 +3,29 @@
 use crate::commands::{json, open};
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
 use crate::figures::write_figures;
-use crate::files::print;
-use crate::format::Format;
-use crate::options::simulation::{BlockOption, SimulateArguments, SimulationTable};
+use crate::files::{print, print_bytes};
+use crate::options::simulation::{BlockOption, SimulateArguments, SimulationFormat, SimulationTable};
+use crate::requests::loads::point;
 use crate::simulation_watch::GoesOn;
 use crate::trace_files::trace_files;
+use lanchester::file::event_from_words;
+use lanchester::model::{NamedPoint, StartOfBlock};
 use lanchester::multibody::{LoadLaw, ReactsOn, RunOutcome};
 use lanchester::report::{
-    simulation_energy_csv, simulation_events_csv, simulation_figures, simulation_orders_csv,
-    simulation_reactions_csv, simulation_text, simulation_trace_csv,
+    SimulationColumns, SimulationResult, simulation_energy_columns, simulation_events_columns,
+    simulation_figures, simulation_orders_columns, simulation_reactions_columns, simulation_text,
+    simulation_trace_columns,
 };
+use lanchester::table::{Column, Form, Rows, TableWriter, Values};
 use lanchester::task::option;
 use lanchester::{RunLength, SimulateRequest, simulate_watched};
 
 pub fn run(arguments: &SimulateArguments, colour: bool) -> Result<u8, Failure> {
-    if arguments.table.is_some() && arguments.format != Format::Csv {
+    let of_columns = matches!(arguments.format, SimulationFormat::Csv | SimulationFormat::Parquet);
+    if arguments.table.is_some() && !of_columns {
         return Err(Failure::input(
-            "--table chooses what --format csv writes",
-            "add --format csv, or leave --table out",
+            "--table chooses what --format csv or parquet writes",
+            "add --format csv or parquet, or leave --table out",
         ));
     }
     let mut request = request(arguments)?;
@@ -33,6 +38,27 @@ pub fn run(arguments: &SimulateArguments, colour: bool) -> Result<u8, Failure> {
         }
         request.misfire.push(number - 1);
     }
+    for text in &arguments.event {
+        let parts = text
+            .split_once(':')
+            .map(|(when, action)| event_from_words(when, action, opened.file.engine.cylinders.len()));
+        match parts {
+            Some(Ok(event)) => request.events.push(event),
+            Some(Err((message, hint))) => {
+                return Err(Failure::input(format_args!("--event: {message}"), hint));
+            }
+            None => {
+                return Err(Failure::input(
+                    format_args!("--event needs a moment and what happens, got `{text}`"),
+                    "write it like --event \"3 revolutions: misfire 1\"",
+                ));
+            }
+        }
+    }
+    for text in &arguments.point {
+        let at = point(text, "--point")?;
+        request.points.push(NamedPoint { name: text.trim().to_owned(), at });
+    }
     let in_file = opened.file.tasks.simulation.as_ref().and_then(|input| input.gas);
     let traces = match request.gas.or(in_file) {
         Some(false) => Vec::new(),
@@ -44,18 +70,65 @@ pub fn run(arguments: &SimulateArguments, colour: bool) -> Result<u8, Failure> {
     if let Some(folder) = &arguments.figures {
         write_figures(folder, &arguments.file, &simulation_figures(&result))?;
     }
-    print(&match (arguments.format, arguments.table) {
-        (Format::Text, _) => simulation_text(&result),
-        (Format::Json, _) => json(&result)?,
-        (Format::Csv, Some(SimulationTable::Reactions)) => simulation_reactions_csv(&result),
-        (Format::Csv, Some(SimulationTable::Orders)) => simulation_orders_csv(&result),
-        (Format::Csv, Some(SimulationTable::Energy)) => simulation_energy_csv(&result),
-        (Format::Csv, Some(SimulationTable::Events)) => simulation_events_csv(&result),
-        (Format::Csv, _) => simulation_trace_csv(&result),
-    })?;
+    match arguments.format {
+        SimulationFormat::Text => print(&simulation_text(&result))?,
+        SimulationFormat::Json => print(&json(&result)?)?,
+        SimulationFormat::Csv => print(&columns(&result, arguments.table).csv())?,
+        SimulationFormat::Parquet => print_bytes(&parquet(columns(&result, arguments.table))?)?,
+    }
     let ended =
         matches!(result.run.outcome, RunOutcome::Complete | RunOutcome::Stopped | RunOutcome::AtRest { .. });
     Ok(if ended { DONE } else { NOT_AS_EXPECTED })
+}
+
+fn columns(result: &SimulationResult, table: Option<SimulationTable>) -> SimulationColumns {
+    match table.unwrap_or(SimulationTable::Trace) {
+        SimulationTable::Trace => simulation_trace_columns(result),
+        SimulationTable::Reactions => simulation_reactions_columns(result),
+        SimulationTable::Orders => simulation_orders_columns(result),
+        SimulationTable::Energy => simulation_energy_columns(result),
+        SimulationTable::Events => simulation_events_columns(result),
+    }
+}
+
+/// A head as a name of letters, digits and underscores: `gear force_x [N m]` is `gear_force_x_N_m`.
+fn column_name(head: &str) -> String {
+    let parts = head.split(|one: char| !one.is_alphanumeric()).filter(|part| !part.is_empty());
+    parts.collect::<Vec<_>>().join("_")
+}
+
+fn parquet(table: SimulationColumns) -> Result<Vec<u8>, Failure> {
+    let rows = table.rows();
+    let (mut heads, mut values): (Vec<Column>, Vec<Values>) = (Vec::new(), Vec::new());
+    // Two heads that differ in signs alone would be one name.
+    let name_of = |head: &str, heads: &[Column]| {
+        let plain = column_name(head);
+        let taken = |name: &str| heads.iter().any(|other| other.name == name);
+        let numbered = (2..).map(|count| format!("{plain}_{count}"));
+        std::iter::once(plain.clone()).chain(numbered).find(|name| !taken(name)).unwrap_or(plain.clone())
+    };
+    if let Some((head, mut names)) = table.names {
+        names.truncate(rows);
+        heads.push(Column::text(name_of(&head, &heads)));
+        values.push(Values::Text(names));
+    }
+    for (head, mut numbers) in table.numbers {
+        numbers.truncate(rows);
+        heads.push(Column::real(name_of(&head, &heads)));
+        values.push(Values::Real(numbers));
+    }
+    let mut bytes = Vec::new();
+    let write = |bytes: &mut Vec<u8>| {
+        let mut writer = TableWriter::new(Form::Parquet, bytes, &heads)?;
+        writer.push(Rows::of(values))?;
+        writer.finish(&[])
+    };
+    match write(&mut bytes) {
+        Ok(_) => Ok(bytes),
+        Err(error) => {
+            Err(Failure::input(format_args!("the table cannot be written: {error}"), "take --format csv"))
+        }
+    }
 }
 
 fn request(arguments: &SimulateArguments) -> Result<SimulateRequest, Failure> {
@@ -68,8 +141,20 @@ fn request(arguments: &SimulateArguments) -> Result<SimulateRequest, Failure> {
         (Some(_), _) => Some(RunLength::Periodic),
         (None, text) => text.as_deref().map(length).transpose()?,
     };
+    let start = arguments.start.as_deref().map_or(Ok(Start::default()), start)?;
+    let speed = arguments.speed.as_deref().map(|text| option::speed(text, "--speed")).transpose()?;
+    if speed.is_some() && start.speed.is_some() {
+        return Err(Failure::input(
+            "--speed and --start both give the speed at the start",
+            "give it in one of them",
+        ));
+    }
     Ok(SimulateRequest {
-        speed: arguments.speed.as_deref().map(|text| option::speed(text, "--speed")).transpose()?,
+        speed: speed.or(start.speed),
+        start_angle: start.angle,
+        start_block: start.block,
+        events: Vec::new(),
+        points: Vec::new(),
         length,
         imposed: match (arguments.imposed, arguments.free) {
             (true, _) => Some(true),
@@ -86,6 +171,44 @@ fn request(arguments: &SimulateArguments) -> Result<SimulateRequest, Failure> {
         tolerance: arguments.tolerance,
         long: arguments.long,
     })
+}
+
+/// What `--start` says.
+#[derive(Default)]
+struct Start {
+    angle: Option<f64>,
+    speed: Option<f64>,
+    block: Option<StartOfBlock>,
+}
+
+/// `90 deg, 800 rpm, as drawn`: each part at most once.
+fn start(text: &str) -> Result<Start, Failure> {
+    let mut start = Start::default();
+    for part in text.split([',', '/']).map(str::trim) {
+        let twice = match part {
+            "equilibrium" => start.block.replace(StartOfBlock::Equilibrium).is_some(),
+            "as drawn" => start.block.replace(StartOfBlock::AsDrawn).is_some(),
+            _ => match (option::speed(part, "--start"), option::angle(part, "--start")) {
+                (Ok(speed), _) => start.speed.replace(speed).is_some(),
+                (_, Ok(angle)) => start.angle.replace(angle).is_some(),
+                _ => {
+                    return Err(Failure::input(
+                        format_args!(
+                            "--start takes a crank angle, a speed of 0 or more, `equilibrium` and `as drawn`, got `{part}`"
+                        ),
+                        "write it like --start \"90 deg, 800 rpm\"",
+                    ));
+                }
+            },
+        };
+        if twice {
+            return Err(Failure::input(
+                format_args!("--start says one thing twice: `{text}`"),
+                "give one angle, one speed and one place of the block",
+            ));
+        }
+    }
+    Ok(start)
 }
 
 /// `10 revolutions` or `2 s`.

@@ -19,6 +19,10 @@ pub struct SimulateArguments {
     /// Speed of crankshaft 1 at the start, with its unit; default: as the file says, else its highest speed.
     #[arg(long, value_name = "SPEED")]
     pub speed: Option<String>,
+    /// State at the start, with commas between: a crank angle, a speed, and `equilibrium` or `as drawn` for the block, such as `90 deg, 800 rpm, as drawn`; default: as the file says, else 0 deg, its
+    /// highest speed, the block where its mounts carry weight and mean torque.
+    #[arg(long, value_name = "STATE")]
+    pub start: Option<String>,
     /// Keep this speed by a drive that takes whatever torque it needs.
     #[arg(long)]
     pub imposed: bool,
@@ -37,6 +41,12 @@ pub struct SimulateArguments {
     /// Numbers of cylinders, with commas between, that fire no more after the first revolution.
     #[arg(long, value_name = "CYLINDERS", value_delimiter = ',')]
     pub misfire: Vec<usize>,
+    /// Something that happens on the way, besides what the file says, as `[[simulation.event]]` has it, such as `3 revolutions: load 120 N m` or `speed falls to 900 rpm: fuel 0 %`; may be given several times.
+    #[arg(long, value_name = "WHEN: WHAT")]
+    pub event: Vec<String>,
+    /// A point of the block, `x, y, z`, whose motion is shown; may be given several times.
+    #[arg(long, value_name = "X, Y, Z")]
+    pub point: Vec<String>,
     /// Leave out the gas of the file.
     #[arg(long)]
     pub inertia_only: bool,
@@ -55,12 +65,25 @@ pub struct SimulateArguments {
     /// Write every figure as an SVG file into this folder.
     #[arg(long, value_name = "FOLDER")]
     pub figures: Option<PathBuf>,
-    /// Table written with `--format csv`; default: trace.
+    /// Table written with `--format csv` or `--format parquet`; default: trace.
     #[arg(long, value_enum, requires = "format")]
     pub table: Option<SimulationTable>,
     /// Form of the output.
-    #[arg(long, value_enum, default_value_t = Format::Text)]
-    pub format: Format,
+    #[arg(long, value_enum, default_value_t = SimulationFormat::Text)]
+    pub format: SimulationFormat,
+}
+
+/// The form of a run on stdout.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum SimulationFormat {
+    /// For people.
+    Text,
+    /// Every field of the result, SI units and radians.
+    Json,
+    /// Tables for a spreadsheet.
+    Csv,
+    /// The same tables as Apache Parquet, for Polars, DuckDB or pandas: redirect it into a file.
+    Parquet,
 }
 
 /// What a run may be searched for.
@@ -79,12 +102,12 @@ pub enum BlockOption {
     Mounts,
 }
 
-/// Tables of `simulate --format csv`.
+/// Tables of `simulate --format csv` and `--format parquet`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum SimulationTable {
     /// Angle, speed, torques, block and mounts at every sample.
     Trace,
-    /// Side thrust, pins and main bearings at every sample.
+    /// Side thrust, pins, gears and main bearings at every sample.
     Reactions,
     /// Loads, torque, speed and motion of the block by order of the last period, real and imaginary parts.
     Orders,

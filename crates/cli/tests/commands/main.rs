@@ -17,6 +17,7 @@ mod program;
 mod scatter;
 mod sensitivity;
 mod simulate;
+mod simulate_more;
 mod studio;
 mod torque;
 mod torsion;

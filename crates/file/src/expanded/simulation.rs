@@ -106,6 +106,7 @@ impl File {
         if let Some(tolerance) = input.tolerance {
             self.entry("tolerance", &format!("{tolerance:?}"));
         }
+        self.simulation_extras(input);
         if let Some(guidance) = input.guidance {
             let word = if guidance == RodGuidance::Piston { "\"piston\"" } else { "\"crankpin\"" };
             self.entry("guidance", word);
@@ -138,6 +139,46 @@ impl File {
         }
         for event in &input.events {
             self.event(event);
+        }
+    }
+
+    /// Tolerances by kind of state, the crankshaft as a body, points of the block, teeth.
+    fn simulation_extras(&mut self, input: &SimulationInput) {
+        let own = &input.tolerances;
+        let given: Vec<String> = [
+            ("angle", own.angle, Dimension::Angle),
+            ("speed", own.speed, Dimension::Speed),
+            ("displacement", own.displacement, Dimension::Length),
+            ("turn", own.turn, Dimension::Angle),
+            ("velocity", own.velocity, Dimension::Velocity),
+            ("spin", own.spin, Dimension::Speed),
+            ("energy", own.energy, Dimension::Energy),
+        ]
+        .into_iter()
+        .filter_map(|(key, value, dimension)| Some(format!("{key} = {}", quantity(value?, dimension))))
+        .collect();
+        if !given.is_empty() {
+            self.entry("tolerances", &format!("{{ {} }}", given.join(", ")));
+        }
+        if let Some(as_body) = input.crank_as_body {
+            self.entry("crankshaft", if as_body { "\"body\"" } else { "\"unbalances\"" });
+        }
+        if !input.points.is_empty() {
+            let point = |one: &lanchester_model::NamedPoint| {
+                let [x, y, z] = one.at.map(|place| quantity(place, Dimension::Length));
+                format!("  {{ name = {}, x = {x}, y = {y}, z = {z} }},\n", quoted(&one.name))
+            };
+            let list: String = input.points.iter().map(point).collect();
+            self.entry("point", &format!("[\n{list}]"));
+        }
+        if !input.meshes.is_empty() {
+            let mesh = |one: &lanchester_model::GearMesh| {
+                let angle = quantity(one.pressure_angle, Dimension::Angle);
+                let z = quantity(one.z, Dimension::Length);
+                format!("  {{ shaft = {}, pressure_angle = {angle}, z = {z} }},\n", quoted(&one.shaft))
+            };
+            let list: String = input.meshes.iter().map(mesh).collect();
+            self.entry("mesh", &format!("[\n{list}]"));
         }
     }
 
@@ -218,7 +259,8 @@ impl File {
         self.entry("gain", &quantity(governor.gain, Dimension::PerSpeed));
         self.entry_unless_zero("integral", governor.integral, Dimension::Rate);
         self.entry("droop", &format!("{:?}", governor.droop));
-        self.entry("delay", &quantity(governor.delay, Dimension::Time));
+        self.entry_unless_zero("delay", governor.delay, Dimension::Time);
+        self.entry_unless_zero("lag", governor.lag, Dimension::Time);
         self.entry("start", &format!("{:?}", governor.start));
     }
 }

@@ -1,6 +1,7 @@
 //! `[simulation]` and all that a run in time takes from the file.
 
-pub(in crate::read) mod event;
+pub(crate) mod event;
+pub(in crate::read) mod extras;
 pub(in crate::read) mod parts;
 
 use super::reader::Reader;
@@ -91,6 +92,10 @@ impl<'a> Reader<'a> {
         let gas = optional(section.word("gas"));
         let step = optional(section.number("step"));
         let tolerance = self.step_tolerance(section);
+        let tolerances = self.state_tolerances(section);
+        let crank_as_body = optional(section.word("crankshaft")).map(|word| word.map(|word| word == "body"));
+        let points = self.named_points(section);
+        let meshes = self.meshes(section);
         let guidance = optional(section.word("guidance")).map(|word| {
             word.map(|word| if word == "piston" { RodGuidance::Piston } else { RodGuidance::Crankpin })
         });
@@ -126,6 +131,10 @@ impl<'a> Reader<'a> {
             gas_states: gas? == Some("states"),
             step: step?,
             tolerance: tolerance?,
+            tolerances: tolerances?,
+            crank_as_body: crank_as_body?,
+            points: points?,
+            meshes: meshes?,
             guidance: guidance?,
             mains: mains?,
             main_stiffness: main_stiffness?,

@@ -45,6 +45,10 @@ gravity = "1.62 m/s2"
 gas = "off"
 step = "0.5 deg"
 tolerance = 1e-10
+tolerances = { speed = "1e-6 rad/s", velocity = "0.5 mm/s", energy = "1e-3 J" }
+crankshaft = "body"
+point = [{ name = "head", x = "350 mm", z = "-20 mm" }]
+mesh = [{ shaft = "shaft 1", pressure_angle = "20 deg", z = "-60 mm" }]
 guidance = "piston"
 main_stiffness = ["1000 kN/mm", "800 kN/mm"]
 torque = [{ order = 0, cos = "60 N m" }, { order = 0.5, sin = "150 N m" }]
@@ -108,6 +112,11 @@ fn every_key_of_a_run_arrives() {
     assert_eq!(input.start_speed, Some(800.0 * (PI / 30.0)));
     assert_eq!((input.duration, input.block), (Some(RunLength::Time(2.5)), Some(BlockKind::Fixed)));
     assert_eq!((input.gravity, input.gas, input.tolerance), (Some(1.62), Some(false), Some(1e-10)));
+    assert_eq!(input.tolerances.speed, Some(1e-6));
+    assert_eq!((input.tolerances.velocity, input.tolerances.energy), (Some(5e-4), Some(1e-3)));
+    assert_eq!((input.tolerances.angle, input.crank_as_body), (None, Some(true)));
+    assert_eq!((input.points[0].name.as_str(), input.points[0].at), ("head", [0.35, 0.0, -0.02]));
+    assert_eq!((input.meshes[0].shaft.as_str(), input.meshes[0].z), ("shaft 1", -0.06));
     assert_eq!(input.main_stiffness, [1e9, 8e8]);
     assert_eq!(input.torque[1].order, 0.5);
     let events: Vec<(When, Action)> =
@@ -165,6 +174,12 @@ fn mistakes_of_a_run_are_told() {
         ("[simulation]\nevent = [{ when = \"1 s\", do = \"misfire 2\" }]\n", "E1802"),
         ("[simulation]\nevent = [{ when = \"1 s\", do = \"fuel 130 %\" }]\n", "E1802"),
         ("[simulation]\nevent = [{ when = \"1 s\" }]\n", "E0202"),
+        ("[simulation]\npoint = [{ x = \"1 mm\" }]\n", "E0202"),
+        ("[simulation]\npoint = [{ name = \"a\" }, { name = \"a\" }]\n", "E1803"),
+        ("[simulation]\nmesh = [{ shaft = \"a\", pressure_angle = \"50 deg\", z = \"0 mm\" }]\n", "E0108"),
+        ("[simulation]\nmesh = [{ shaft = \"a\", pressure_angle = \"20 deg\" }]\n", "E0202"),
+        ("[simulation]\ntolerances = { speed = \"0 rad/s\" }\n", "E0108"),
+        ("[simulation]\ntolerances = { mass = \"1 kg\" }\n", "E0201"),
         ("[simulation]\ntorque = [{ order = 1 }]\n", "E0202"),
         ("[load]\ntype = \"power\"\npower = \"3 kW\"\n", "E0202"),
         ("[load]\ntype = \"constant\"\ntorque = \"3 N m\"\nat = \"100 rpm\"\n", "E0204"),

@@ -95,10 +95,13 @@ pub fn main_orders(engine: &Engine, request: &LoadRequest) -> Result<Vec<MainOrd
             if engine.throws[cylinder.throw].crankshaft != crankshaft {
                 continue;
             }
-            let axis = engine.cylinders[master_of(cylinder).unwrap_or(index)].angle;
-            let rod = RodForce::new(mechanism.pistons[index].clone(), linkage(engine, index)?, axis);
-            for (harmonic, force) in rod_orders(&rod, ratio).into_iter().enumerate() {
-                add(cylinder.z, harmonic as u32, force);
+            let master = &engine.cylinders[master_of(cylinder).unwrap_or(index)];
+            let rod = RodForce::new(mechanism.pistons[index].clone(), linkage(engine, index)?, master.angle);
+            for (harmonic, [own, with_master]) in rod_orders(&rod, ratio).into_iter().enumerate() {
+                add(cylinder.z, harmonic as u32, own);
+                if master_of(cylinder).is_some() {
+                    add(master.z, harmonic as u32, with_master);
+                }
             }
         }
         let main =
@@ -108,19 +111,22 @@ pub fn main_orders(engine: &Engine, request: &LoadRequest) -> Result<Vec<MainOrd
     Ok(result)
 }
 
-/// Orders of a rod's force on its crankpin along x and y, as in [`MainOrder`], from 0 on.
-fn rod_orders(rod: &RodForce, ratio: Ratio) -> Vec<[Complex64; 2]> {
+/// Orders of a rod's force on its crankpin along x and y, as in [`MainOrder`], from 0 on: in its own plane, and in that of its master.
+fn rod_orders(rod: &RodForce, ratio: Ratio) -> Vec<[[Complex64; 2]; 2]> {
     let rate = ratio.value().abs();
     let mut highest = FIRST;
     loop {
         let sampled = sampled_orders(highest, 0, |psi| {
-            let force = rod.at(psi / rate);
-            [force.re, force.im]
+            let [own, with_master] = rod.by_plane(psi / rate);
+            [own.re, own.im, with_master.re, with_master.im]
         });
-        let size = |one: &[Complex64; 2]| one[0].norm().max(one[1].norm());
-        let largest = |orders: &[[Complex64; 2]]| orders.iter().map(size).fold(0.0, f64::max);
+        let size = |one: &[Complex64; 4]| one.iter().map(|part| part.norm()).fold(0.0, f64::max);
+        let largest = |orders: &[[Complex64; 4]]| orders.iter().map(size).fold(0.0, f64::max);
         if highest >= MOST || largest(&sampled[3 * highest / 4..]) <= TAIL * largest(&sampled) {
-            let real = |(n, one): (usize, [Complex64; 2])| if n == 0 { one } else { one.map(|c| 2.0 * c) };
+            let real = |(n, one): (usize, [Complex64; 4])| {
+                let [x, y, master_x, master_y] = if n == 0 { one } else { one.map(|c| 2.0 * c) };
+                [[x, y], [master_x, master_y]]
+            };
             return sampled.into_iter().enumerate().map(real).collect();
         }
         highest = (2 * highest).min(MOST);

@@ -9,11 +9,12 @@
 //! R = F u + N v                     rod on the crankpin, without its big-end mass                (26.4)
 //! main j:  SUM over loads of share_j R + e^{i n theta} SUM of share_j U W^2 e^{i angle}          (26.6)
 //! ```
-//! Articulated rods follow one angle at a time and add to their masters.
+//! Articulated rods follow one angle at a time and add to their masters; the thrust that they give to a master's piston reaches the crank in the
+//! master's plane.
 
 use crate::bearings::beam::{Beam, BeamModel};
 use crate::bearings::request::{BearingPart, BearingRequest};
-use crate::bearings::rod_force::RodForce;
+use crate::bearings::rod_force::{RodForce, RodLoads};
 use crate::inertia::internal::turning_loads;
 use crate::inertia::trace::{AngleGrid, CrankRow, Kernel, dispatch};
 use crate::torque::gas::CylinderGas;
@@ -75,7 +76,19 @@ struct SlaveRow {
     /// Centrifugal force of its big end as if it sat on the crankpin, at `theta = 0`.
     big_end: Complex64,
     ratio: f64,
+    /// Mains that carry what acts in its own plane, with shares.
     shares: [(usize, f64); 2],
+    /// Mains that carry what acts in the plane of its master.
+    master_shares: [(usize, f64); 2],
+}
+
+impl SlaveRow {
+    /// Parts of a force with the mains that carry them.
+    fn on_mains(&self, loads: &RodLoads) -> impl Iterator<Item = (usize, Complex64)> {
+        let [own, with_master] = loads.by_plane();
+        let parts = self.shares.map(|(main, share)| (main, share * own));
+        parts.into_iter().chain(self.master_shares.map(|(main, share)| (main, share * with_master)))
+    }
 }
 
 /// What turns with a crankshaft, at one main: coefficients of its table.
@@ -222,7 +235,8 @@ impl BearingPlan {
         let throw = &engine.throws[cylinder.throw];
         let crankshaft = &engine.crankshafts[throw.crankshaft];
         let Some((first, Some(beam))) = beams.get(throw.crankshaft) else { return Ok(()) };
-        let shares = beam.shares(cylinder.z).map(|(main, share)| (first + main, share));
+        let shares_at = |z: f64| beam.shares(z).map(|(main, share)| (first + main, share));
+        let shares = shares_at(cylinder.z);
         let mut piston = mechanism.pistons[index].clone();
         piston.mass *= inertia;
         piston.inertia *= inertia;
@@ -251,8 +265,17 @@ impl BearingPlan {
                 let master = master_of(cylinder).unwrap_or(index);
                 let ratio = crankshaft.ratio.value();
                 let force = RodForce::new(piston, linkage(engine, index)?, engine.cylinders[master].angle);
-                let row = SlaveRow { cylinder: index, master, force, piston_mass, big_end, ratio, shares };
-                self.slaves.push(row);
+                let master_shares = shares_at(engine.cylinders[master].z);
+                self.slaves.push(SlaveRow {
+                    cylinder: index,
+                    master,
+                    force,
+                    piston_mass,
+                    big_end,
+                    ratio,
+                    shares,
+                    master_shares,
+                });
             }
         }
         Ok(())
@@ -292,9 +315,9 @@ impl BearingPlan {
                 let on_pin = loads.crankpin + row.big_end * Complex64::cis(row.ratio * theta);
                 master.lower_pin[0][j] += on_pin.re;
                 master.lower_pin[1][j] += on_pin.im;
-                for (main, share) in row.shares {
-                    trace.mains[main][0][j] += share * loads.crankpin.re;
-                    trace.mains[main][1][j] += share * loads.crankpin.im;
+                for (main, force) in row.on_mains(&loads) {
+                    trace.mains[main][0][j] += force.re;
+                    trace.mains[main][1][j] += force.im;
                 }
             }
         }
@@ -352,9 +375,10 @@ impl BearingPlan {
             }
         }
         for row in &self.slaves {
-            let share = share(&row.shares);
-            if share != 0.0 {
-                force += share * row.force.loads(theta, gas(row.cylinder, theta)).crankpin;
+            if share(&row.shares) != 0.0 || share(&row.master_shares) != 0.0 {
+                let loads = row.force.loads(theta, gas(row.cylinder, theta));
+                force +=
+                    row.on_mains(&loads).filter(|part| part.0 == main).map(|part| part.1).sum::<Complex64>();
             }
         }
         force

@@ -17,6 +17,10 @@
 //! | m      | big-end mass of an articulated rod, at its knuckle pin `K`      | kg   |
 //! | W_m    | distance from crankpin to the master's piston pin along `u_m`   | m    |
 //!
+//! Along the crank axis `P` and `m K''` stand in the plane of the articulated rod, whose offset from the master's plane the master rod hands to the
+//! crankpin as a couple; the thrust `N v_m` passes from the wall through the master's piston pin to the crankpin in the plane of the *master*.
+//! Only so do the forces on the block keep their balance of moments about x and y.
+//!
 //! The big-end mass itself counts with the rotating parts at the crankpin, as everywhere; no play, no friction. The rod bears on
 //! the piston pin with `X = (m_p s'' + f) u - N v`, with the piston's own mass `m_p`, the gas force `f` towards the crank, and `N`
 //! of the piston in all: the master's takes what its articulated rods bring.
@@ -40,6 +44,8 @@ pub(crate) struct RodForce {
 pub(crate) struct RodLoads {
     /// `R`: on the crankpin in the engine's frame, without big-end masses.
     pub crankpin: Complex64,
+    /// What of `crankpin` acts in the plane of the master: the thrust that an articulated rod gives to its master's piston, in the engine's frame.
+    pub in_master_plane: Complex64,
     /// Of an articulated rod: on the knuckle pin in the engine's frame, with its big-end mass.
     pub knuckle: Complex64,
     /// `N`: wall on the own piston along `v`.
@@ -48,6 +54,13 @@ pub(crate) struct RodLoads {
     pub master_thrust: f64,
     /// `s''` in the unit of the own crank angle [m].
     pub acceleration: f64,
+}
+
+impl RodLoads {
+    /// Force on the crankpin [N] in the rod's own plane, and in that of its master.
+    pub fn by_plane(&self) -> [Complex64; 2] {
+        [self.crankpin - self.in_master_plane, self.in_master_plane]
+    }
 }
 
 /// Where the big end stands beside the line of the piston pin, and how far the piston pin stands from it along that line.
@@ -66,9 +79,10 @@ impl RodForce {
         RodForce { piston, linkage, along: Complex64::cis(axis) }
     }
 
-    /// Force on the crankpin [N] at crank angle `theta` of crankshaft 1 [rad], in the engine's frame, without gas.
-    pub fn at(&self, theta: f64) -> Complex64 {
-        self.loads(theta, 0.0).crankpin
+    /// Force on the crankpin [N] at crank angle `theta` of crankshaft 1 [rad], in the engine's frame, without gas: in the rod's own plane, and in
+    /// that of its master.
+    pub fn by_plane(&self, theta: f64) -> [Complex64; 2] {
+        self.loads(theta, 0.0).by_plane()
     }
 
     /// All its forces at crank angle `theta` of crankshaft 1 [rad] with the gas force `gas` [N] towards the crank.
@@ -85,7 +99,15 @@ impl RodForce {
                 let (beside, reach) = plain(slider, phi);
                 let thrust = thrust(beside, reach);
                 let crankpin = Complex64::new(along, thrust) * self.along;
-                RodLoads { crankpin, knuckle: crankpin, thrust, master_thrust: 0.0, acceleration }
+                let in_master_plane = Complex64::ZERO;
+                RodLoads {
+                    crankpin,
+                    in_master_plane,
+                    knuckle: crankpin,
+                    thrust,
+                    master_thrust: 0.0,
+                    acceleration,
+                }
             }
             Linkage::Articulated(articulated) => {
                 // Where the pins stand is exact, also where their accelerations are truncated.
@@ -100,8 +122,10 @@ impl RodForce {
                 let (_, master_reach) = plain(&articulated.master, phi);
                 let with_end = on_knuckle - mass * knuckle;
                 let master_thrust = -(lever.conj() * with_end).im / master_reach;
+                let in_master_plane = Complex64::new(0.0, master_thrust) * self.along;
                 RodLoads {
-                    crankpin: (with_end + mass * pin + Complex64::new(0.0, master_thrust)) * self.along,
+                    crankpin: (with_end + mass * pin) * self.along + in_master_plane,
+                    in_master_plane,
                     knuckle: with_end * self.along,
                     thrust,
                     master_thrust,

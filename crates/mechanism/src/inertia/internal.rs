@@ -7,7 +7,8 @@
 //! ```text
 //! throw:           U W^2 e^{i (angle + ratio theta)}      own unbalance at its plane, big ends at the planes of their rods
 //! counterweight:   U W^2 e^{i (angle + ratio theta)}      at its plane
-//! reciprocating:   share times the rod's force on the pin ([`crate::rod_force`]), at the plane of its cylinder
+//! reciprocating:   share times the rod's force on the pin ([`crate::rod_force`]), at the plane of its cylinder; what an articulated rod
+//!                  gives to its master's piston, at the plane of the master
 //! ```
 //! Signs of `Q` and `M`: [`crate::beam`]. No gas, no weight of the parts, no stiffness: main bearings in line and rigid
 //! enough that the shaft's own bending does not shift loads between them.
@@ -166,7 +167,8 @@ struct ShaftLoads {
     /// Force at every plane at `theta = 0` that turns with the shaft [N].
     turning: Vec<Complex64>,
     /// Plane and force of every rod.
-    rods: Vec<(usize, RodForce)>,
+    /// Plane of the rod, of its master (else its own), and the rod.
+    rods: Vec<([usize; 2], RodForce)>,
 }
 
 /// Shear force, bending moment and main-bearing loads of every crankshaft, in both models.
@@ -290,10 +292,10 @@ impl ShaftLoads {
         if request.reciprocating_share > 0.0 {
             for (number, cylinder) in engine.cylinders.iter().enumerate() {
                 if engine.throws[cylinder.throw].crankshaft == index {
-                    let axis = engine.cylinders[master_of(cylinder).unwrap_or(number)].angle;
+                    let master = &engine.cylinders[master_of(cylinder).unwrap_or(number)];
                     let piston = mechanism.pistons[number].clone();
-                    let force = RodForce::new(piston, linkage(engine, number)?, axis);
-                    loads.rods.push((loads.plane(cylinder.z), force));
+                    let force = RodForce::new(piston, linkage(engine, number)?, master.angle);
+                    loads.rods.push(([cylinder.z, master.z].map(|z| loads.plane(z)), force));
                 }
             }
         }
@@ -309,8 +311,10 @@ impl ShaftLoads {
     fn at(&self, theta: f64, share: f64) -> Vec<Complex64> {
         let turn = Complex64::cis(self.ratio * theta);
         let mut forces: Vec<Complex64> = self.turning.iter().map(|f| f * turn).collect();
-        for (plane, rod) in &self.rods {
-            forces[*plane] += share * rod.at(theta);
+        for (planes, rod) in &self.rods {
+            for (plane, force) in planes.iter().zip(rod.by_plane(theta)) {
+                forces[*plane] += share * force;
+            }
         }
         forces
     }

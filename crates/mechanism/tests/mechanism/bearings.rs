@@ -35,7 +35,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(32))]
 
     /// Side thrust, mains, gas on the heads and balance shafts are all that the block feels: their sum is the shaking force of
-    /// inertia, and their moment about z the roll moment of inertia less the gas torque.
+    /// inertia, their moments about x and y its couple, and that about z the roll moment of inertia less the gas torque.
     #[test]
     fn prop_the_block_feels_inertia_and_the_reaction_to_the_gas_torque((engine, gas) in any_fired()) {
         let request = BearingRequest { samples: 23, ..BearingRequest::default() };
@@ -47,11 +47,16 @@ proptest! {
         let scale = scale(&bearings);
         for (j, theta) in bearings.theta.iter().enumerate() {
             let mut force = Complex64::ZERO;
+            // SUM z F: the couple is i times it.
+            let mut lever = Complex64::ZERO;
+            let mut reach = 0.0f64;
             let mut roll = 0.0;
             let mut torques = 0.0;
             for main in &bearings.mains {
                 let shaft = &engine.crankshafts[main.crankshaft - 1];
                 force += main.load.load[j];
+                lever += main.z * main.load.load[j];
+                reach = reach.max(main.z.abs());
                 roll += shaft.x * main.load.load[j].im - shaft.y * main.load.load[j].re;
             }
             for (index, (cylinder, own)) in engine.cylinders.iter().zip(&bearings.cylinders).enumerate() {
@@ -66,6 +71,8 @@ proptest! {
                 let on_wall = own.side_thrust[j] * v;
                 let moment = |at: Complex64, force: Complex64| (at.conj() * force).im;
                 force += on_head + on_wall;
+                lever += cylinder.z * (on_head + on_wall);
+                reach = reach.max(cylinder.z.abs());
                 let [_, pin, _] = support::brute::joints(&engine, index, *theta);
                 let pin = Complex64::new(pin[0], pin[1]);
                 roll += moment(axis + cylinder.offset * v, on_head) + moment(pin, on_wall);
@@ -85,6 +92,10 @@ proptest! {
             let wanted = inertia.components(*theta);
             prop_assert!((force.re - wanted.force_x).abs() < 1e-9 * scale, "{} {}", force.re, wanted.force_x);
             prop_assert!((force.im - wanted.force_y).abs() < 1e-9 * scale);
+            // Planes of articulated rods differ from those of their masters.
+            let [about_x, about_y] = [-lever.im, lever.re];
+            prop_assert!((about_x - wanted.couple_x).abs() < 1e-9 * scale * reach, "{about_x} {}", wanted.couple_x);
+            prop_assert!((about_y - wanted.couple_y).abs() < 1e-9 * scale * reach, "{about_y} {}", wanted.couple_y);
             let torque = train.torque(*theta) + wanted.shaft_torque;
             prop_assert!((torques - torque).abs() < 1e-9 * scale, "{torques} {torque}");
             // The gears bear on the block with what crankshafts of other speeds and senses do not carry through.

@@ -52,8 +52,9 @@ fn bodies(engine: &Engine, index: usize, crankpin: Complex64) -> ([(f64, Complex
 }
 
 /// Force of cylinder `index` on its crankpin by virtual power: moving the crankpin aside at a standing crank moves the
-/// bodies against their inertia forces; walls do no work.
-fn pin_force(engine: &Engine, index: usize, theta: f64) -> Complex64 {
+/// bodies against their inertia forces; walls do no work. Of it, what an articulated rod has from the wall of its master's cylinder: moving that
+/// wall aside moves its own bodies.
+fn pin_force(engine: &Engine, index: usize, theta: f64) -> [Complex64; 2] {
     let throw = &engine.throws[engine.cylinders[index].throw];
     let crankshaft = &engine.crankshafts[throw.crankshaft];
     let axis = Complex64::new(crankshaft.x, crankshaft.y);
@@ -77,7 +78,7 @@ fn pin_force(engine: &Engine, index: usize, theta: f64) -> Complex64 {
     let square = engine.speed.highest.powi(2);
     // First difference of sixth order in the place of the crankpin.
     let aside = 1e-3;
-    let power = |direction: Complex64| -> f64 {
+    let power = |moved_by: &dyn Fn(f64) -> ([(f64, Complex64); 3], f64, f64)| -> f64 {
         let weights = [3.0 / 4.0, -3.0 / 20.0, 1.0 / 60.0];
         weights
             .iter()
@@ -85,7 +86,7 @@ fn pin_force(engine: &Engine, index: usize, theta: f64) -> Complex64 {
             .map(|(k, weight)| {
                 let distance = (k as f64 + 1.0) * aside;
                 let [(after, inertia, lean_after), (before, _, lean_before)] =
-                    [1.0, -1.0].map(|side| bodies(engine, index, pin(theta) + side * distance * direction));
+                    [1.0, -1.0].map(|side| moved_by(side * distance));
                 let moved: f64 = (0..3)
                     .map(|b| {
                         let moved = (after[b].1 - before[b].1) / aside;
@@ -97,7 +98,18 @@ fn pin_force(engine: &Engine, index: usize, theta: f64) -> Complex64 {
             .sum::<f64>()
             * square
     };
-    Complex64::new(power(Complex64::ONE), power(Complex64::I))
+    let aside_pin =
+        |direction: Complex64| power(&|distance| bodies(engine, index, pin(theta) + distance * direction));
+    let all = Complex64::new(aside_pin(Complex64::ONE), aside_pin(Complex64::I));
+    let RodJoint::Articulated { master, .. } = engine.cylinders[index].rod.joint else {
+        return [all, Complex64::ZERO];
+    };
+    let wall = power(&|distance| {
+        let shifted = engine.with(|parts| parts.cylinders[master].offset += distance).unwrap();
+        bodies(&shifted, index, pin(theta))
+    });
+    let of_master = Complex64::new(0.0, -wall) * Complex64::cis(engine.cylinders[master].angle);
+    [all - of_master, of_master]
 }
 
 /// All forces on crankshaft `index` with their planes, at `theta`.
@@ -119,7 +131,11 @@ fn forces(engine: &Engine, index: usize, theta: f64) -> Vec<(f64, Complex64)> {
     list.extend(weights.map(|w| turning(w.z, w.unbalance, w.angle)));
     for (k, cylinder) in engine.cylinders.iter().enumerate() {
         if engine.throws[cylinder.throw].crankshaft == index {
-            list.push((cylinder.z, pin_force(engine, k, theta)));
+            let [own, of_master] = pin_force(engine, k, theta);
+            list.push((cylinder.z, own));
+            if let RodJoint::Articulated { master, .. } = cylinder.rod.joint {
+                list.push((engine.cylinders[master].z, of_master));
+            }
         }
     }
     list

@@ -31,6 +31,14 @@ pub struct SimulationInput {
     pub step: Option<f64>,
     /// Relative tolerance of every step.
     pub tolerance: Option<f64>,
+    /// Absolute tolerances by kind of state.
+    pub tolerances: StateTolerances,
+    /// Whether the crankshaft's first moments and inertia tensor are those of [crank.body]; `None` and `false`: those of the unbalances.
+    pub crank_as_body: Option<bool>,
+    /// Points of the block whose motion is asked for.
+    pub points: Vec<NamedPoint>,
+    /// Gears whose force acts along a line of action.
+    pub meshes: Vec<GearMesh>,
     /// Which pin guides the rods along the crank axis.
     pub guidance: Option<RodGuidance>,
     /// How loads that rigid crankshafts leave open are shared by their main bearings.
@@ -68,6 +76,45 @@ impl SimulationInput {
         }
         Ok(orders)
     }
+}
+
+/// Absolute tolerances of a run's steps by kind of state; `None`: it follows from the relative one.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, schemars::JsonSchema)]
+pub struct StateTolerances {
+    /// Of the angles of crank and driveline [rad].
+    pub angle: Option<f64>,
+    /// Of their speeds [rad/s].
+    pub speed: Option<f64>,
+    /// Of the place of the block [m].
+    pub displacement: Option<f64>,
+    /// Of the turn of the block [rad].
+    pub turn: Option<f64>,
+    /// Of its velocity [m/s].
+    pub velocity: Option<f64>,
+    /// Of its angular velocity [rad/s].
+    pub spin: Option<f64>,
+    /// Of works [J].
+    pub energy: Option<f64>,
+}
+
+/// A point of the block.
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+pub struct NamedPoint {
+    /// Its name.
+    pub name: String,
+    /// Where it is with the block as drawn [m].
+    pub at: [f64; 3],
+}
+
+/// A pair of external spur gears by which crankshaft 1 drives a shaft.
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+pub struct GearMesh {
+    /// Name of the crankshaft, balance shaft or gear that is driven.
+    pub shaft: String,
+    /// Pressure angle [rad].
+    pub pressure_angle: f64,
+    /// Middle plane of the teeth [m].
+    pub z: f64,
 }
 
 /// A torque over the crank angle that stands in a file of its own.
@@ -261,7 +308,8 @@ pub struct Starter {
 /// A governor: the fired part of the gas is multiplied by `u`, from 0 to 1.
 ///
 /// ```text
-/// e = w_0 (1 - droop u) - w      u_c = gain (e + integral INTEGRAL of e dt), held within 0 and 1      delay u' = u_c - u
+/// e = w_0 (1 - droop u) - w      u_c = gain (e + integral INTEGRAL of e dt), held within 0 and 1
+/// lag u' = u_c(t - delay) - u    without lag: u = u_c(t - delay)
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Governor {
@@ -273,8 +321,10 @@ pub struct Governor {
     pub integral: f64,
     /// Drop of the speed from no load to full load, as a share.
     pub droop: f64,
-    /// Time constant of the actuator, a lag of first order [s].
+    /// Dead time: what it commands reaches the gas so much later [s]; before that, the factor is that of the start.
     pub delay: f64,
+    /// Time constant of the actuator, a lag of first order behind the dead time [s].
+    pub lag: f64,
     /// `u` at the start.
     pub start: f64,
 }

@@ -58,12 +58,13 @@ impl Train {
             (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         for (index, rotor) in self.rotors.iter().enumerate() {
             let product = rotor.product;
+            let unequal = 0.5 * rotor.unequal;
             let inertia = Matrix3::new(
-                0.0,
-                0.0,
+                -unequal.re,
+                -unequal.im,
                 -product.re, //
-                0.0,
-                0.0,
+                -unequal.im,
+                unequal.re,
                 -product.im, //
                 -product.re,
                 -product.im,

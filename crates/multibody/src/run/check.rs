@@ -13,6 +13,9 @@ const MOST_EVENTS: usize = 64;
 /// Evaluations that a revolution takes at the least: some 14 steps of an engine with one cylinder, 12 evaluations each.
 const LEAST_EVALUATIONS: f64 = 160.0;
 
+/// Evaluations of one step.
+const STEP_EVALUATIONS: f64 = 12.0;
+
 /// Refuses what cannot be run.
 pub(crate) fn check(train: &Train, simulation: &Simulation, with_gas: bool) -> Result<(), MultibodyError> {
     let positive = |quantity: &str, got: f64| number(quantity, "positive and finite", got, got > 0.0);
@@ -24,6 +27,18 @@ pub(crate) fn check(train: &Train, simulation: &Simulation, with_gas: bool) -> R
         simulation.tolerance,
         (1e-13..=1e-2).contains(&simulation.tolerance),
     )?;
+    let own = &simulation.tolerances;
+    for (quantity, got) in [
+        ("tolerance of angles [rad]", own.angle),
+        ("tolerance of speeds [rad/s]", own.speed),
+        ("tolerance of displacements [m]", own.displacement),
+        ("tolerance of the block's turn [rad]", own.turn),
+        ("tolerance of velocities [m/s]", own.velocity),
+        ("tolerance of the block's angular velocity [rad/s]", own.spin),
+        ("tolerance of energies [J]", own.energy),
+    ] {
+        got.map_or(Ok(()), |got| positive(quantity, got))?;
+    }
     whole("start speed [rad/s]", simulation.start_speed)?;
     number("start angle [rad]", "finite", simulation.start_angle, true)?;
     whole("acceleration of gravity [m/s^2]", simulation.gravity)?;
@@ -67,7 +82,8 @@ pub(crate) fn check(train: &Train, simulation: &Simulation, with_gas: bool) -> R
         }
     }
     if let Some(governor) = &simulation.governor {
-        positive("delay of the governor [s]", governor.delay)?;
+        whole("delay of the governor [s]", governor.delay)?;
+        whole("lag of the governor [s]", governor.lag)?;
         number("droop of the governor", "from 0 to 1", governor.droop, (0.0..1.0).contains(&governor.droop))?;
     }
     if let Some(starter) = &simulation.starter {
@@ -111,9 +127,11 @@ pub(crate) fn check(train: &Train, simulation: &Simulation, with_gas: bool) -> R
                         mount.name
                     ),
                 }),
-                None if leaves_free(train) => {
-                    Err(MultibodyError::NoMounts { missing: "its mounts leave a motion of it free".into() })
-                }
+                None if leaves_free(train) => Err(MultibodyError::NoMounts {
+                    missing:
+                        "its mounts leave a motion of it free, so that stiffness in that direction is missing"
+                            .into(),
+                }),
                 None => Ok(()),
             },
         },
@@ -131,7 +149,12 @@ fn check_length(train: &Train, simulation: &Simulation) -> Result<(), MultibodyE
         Duration::Revolutions(turns) => turns,
         Duration::Time(time) => time * fastest / TAU,
     };
-    let (evaluations, samples) = (turns * LEAST_EVALUATIONS, turns * TAU / simulation.step);
+    let mut evaluations = turns * LEAST_EVALUATIONS;
+    if let Some(governor) = simulation.governor.filter(|governor| governor.delay > 0.0) {
+        // No step is longer than the dead time.
+        evaluations = evaluations.max(STEP_EVALUATIONS * turns * TAU / fastest / governor.delay);
+    }
+    let samples = turns * TAU / simulation.step;
     let (most_evaluations, most_samples) =
         (simulation.most_evaluations as f64, simulation.most_samples as f64);
     if evaluations <= most_evaluations && samples <= most_samples {

@@ -1,6 +1,7 @@
 //! What a run returns: plain data.
 
 use crate::reactions::Reactions;
+use crate::simulation::Tolerances;
 use lanchester_numerics::{Outcome, Statistics};
 use serde::Serialize;
 
@@ -28,6 +29,8 @@ pub struct Run {
     pub audit: Audit,
     /// What it cost.
     pub cost: Cost,
+    /// Tolerances of its steps by kind of state.
+    pub tolerances: Tolerances,
 }
 
 /// How a run ended.
@@ -96,6 +99,8 @@ pub struct Samples {
     pub outside_torque: Vec<f64>,
     /// Torque of the driveline on crankshaft 1 [N m].
     pub driveline_torque: Vec<f64>,
+    /// Factor of the governor on the fired part of the gas, from 0 to 1; empty without one.
+    pub governor: Vec<f64>,
     /// Angle [rad] and speed [rad/s] of the inertias of the driveline.
     pub driveline: Vec<Vec<[f64; 2]>>,
     /// Where the block's origin is [m], axes of the frame; empty with a fixed block, as all of the block.

@@ -3,8 +3,9 @@
 use crate::support;
 use lanchester_model::{Block, Engine, MovingParts};
 use lanchester_multibody::referee::{BodyLoad, GROUND, Joint};
-use lanchester_multibody::{Guidance, Instant, Loads, Motion, RotorInertia, Train, Wrench};
+use lanchester_multibody::{Guidance, Instant, Loads, Motion, Rotor, RotorInertia, Train, Wrench};
 use nalgebra::Vector3;
+use num_complex::Complex64;
 use proptest::prelude::*;
 use std::f64::consts::{PI, TAU};
 use support::random::{ALL_SHAPES, any_engine};
@@ -113,6 +114,10 @@ proptest! {
         let Case { engine, inertia, motion, gas, gravity, force, moment, torques: [outer, inner], guidance, axial } = case;
         let mut train = Train::new(&engine, &inertia).map_err(|error| TestCaseError::reject(error.to_string()))?;
         train.cylinders.iter_mut().for_each(|cylinder| cylinder.rod.axial_inertia = axial);
+        // Rotors whose inertias across their axes differ, each in a direction of its own.
+        for (index, rotor) in train.rotors.iter_mut().enumerate() {
+            rotor.unequal = Complex64::from_polar(2.0 * axial, 1e3 * axial + index as f64);
+        }
         let mut places = Vec::new();
         train.places_into(motion.theta, &mut places);
         let equations = train.equations(&motion, &places);
@@ -191,6 +196,65 @@ proptest! {
         let point = linear_rate + spin.cross(&v);
         let needed = body.mass * (point - gravity) + angular.cross(&body.first_moment) + spin.cross(&spin.cross(&body.first_moment));
         close("block", on_block.into(), needed, largest, 1e-10)?;
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(48))]
+
+    /// Teeth: their force lies on the line of action, gives the torque, presses the wheels apart, and goes through the bearings into the block, which feels as much as without.
+    #[test]
+    fn prop_teeth_load_the_bearings_along_the_line_of_action(case in any_case(), angle in 0.0..0.6f64, z in -0.2..0.2f64) {
+        let Case { engine, inertia, motion, gas, gravity, guidance, .. } = case;
+        let plain = Train::new(&engine, &inertia).map_err(|error| TestCaseError::reject(error.to_string()))?;
+        let mut toothed = plain.clone();
+        let axis = plain.rotors[0].axis;
+        for index in 1..plain.rotors.len() {
+            let Rotor { ratio, axis: own, .. } = plain.rotors[index];
+            // Names need not be unique in a random engine.
+            toothed.rotors[index].name = format!("shaft {index}");
+            let possible = ratio < 0.0 && (own - axis).norm() > 1e-3;
+            let refused = toothed.set_mesh(&format!("shaft {index}"), angle, z).is_err();
+            prop_assert!(refused || ratio < 0.0);
+            if !possible {
+                toothed.rotors[index].mesh = None;
+            }
+        }
+        let mut places = Vec::new();
+        plain.places_into(motion.theta, &mut places);
+        let rates = [1.0, -2.0, 3.0, 4.0, -5.0, 6.0, 700.0];
+        let instant = Instant { motion: &motion, places: &places, rates, gas: &gas, gravity, piston_damping: 0.0, guidance };
+        let [without, with] = [&plain, &toothed].map(|train| train.reactions(&instant, &train.main_shares(&[])));
+        let scale = without.rotors.iter().map(|r| Vector3::from(r.bearings.force).norm() + r.gear_torque.abs()).fold(1.0, f64::max);
+        close("force on the block", with.on_block.force, without.on_block.force.into(), scale, 1e-11)?;
+        close("moment on the block", with.on_block.moment, without.on_block.moment.into(), scale, 1e-11)?;
+        let mut on_first = Vector3::zeros();
+        for (index, rotor) in toothed.rotors.iter().enumerate() {
+            let (own, before) = (&with.rotors[index], &without.rotors[index]);
+            prop_assert_eq!(own.gear_torque, before.gear_torque);
+            let force = Vector3::from(own.gear_force);
+            close("bearings", own.bearings.force, Vector3::from(before.bearings.force) + force, scale, 1e-12)?;
+            let moment = Vector3::from(before.bearings.moment) + z * Vector3::z().cross(&force);
+            close("moment of the bearings", own.bearings.moment, moment, scale, 1e-12)?;
+            for rule in own.mains.iter().filter(|rule| !rule.is_empty()) {
+                let sum = rule.iter().fold(Vector3::zeros(), |sum, main| sum + Vector3::new(main[0], main[1], 0.0));
+                let across = Vector3::new(own.bearings.force[0], own.bearings.force[1], 0.0);
+                close("mains", sum.into(), across, scale, 1e-10)?;
+            }
+            if rotor.mesh.is_none() || index == 0 {
+                continue;
+            }
+            on_first -= force;
+            // The pitch point divides the line of the axes as the ratio says; base circles are smaller by the cosine.
+            let line = axis - rotor.axis;
+            let pitch = line / (1.0 - rotor.ratio);
+            let arm = Vector3::new(pitch.re, pitch.im, 0.0);
+            let torque = arm.cross(&force).z;
+            prop_assert!((torque - own.gear_torque).abs() < 1e-10 * scale);
+            prop_assert!((force.norm() * pitch.norm() * angle.cos() - own.gear_torque.abs()).abs() < 1e-10 * scale);
+            prop_assert!(force.dot(&arm) <= 1e-10 * scale * arm.norm(), "pressed apart");
+        }
+        close("crankshaft 1", with.rotors[0].gear_force, on_first, scale, 1e-12)?;
     }
 }
 

@@ -724,11 +724,13 @@ class Engine:
         misfire: int | Sequence[int] = (),
         step: Quantity | None = None,
         tolerance: float | None = None,
+        start_angle: Quantity | None = None,
         long: bool = False,
     ) -> SimulationResult:
         """The rigid crank train in time, on its mounts, at free or imposed speed. What is left out is as the file says.
 
-        `speed` at the start [rad/s]; `duration` [s]; `load` [N m] or ``"none"``; `misfire`: numbers of cylinders from 1; `step` between samples [rad].
+        `speed` at the start [rad/s]; `duration` [s]; `load` [N m] or ``"none"``; `misfire`: numbers of cylinders from 1; `step` between samples [rad]; `start_angle` of the crank
+        [rad].
 
         >>> from lanchester import Engine
         >>> run = Engine.template("single").simulate(revolutions=1, imposed=True, gravity=False)
@@ -749,6 +751,7 @@ class Engine:
             "misfire": misfire,
             "step": step,
             "tolerance": tolerance,
+            "start_angle": start_angle,
             "long": long,
         }
         return self._ask("simulate", SimulationResult, options)

@@ -64,7 +64,9 @@ fn read_simulate(options: &Options<'_>) -> Result<Run, Failure> {
         misfire: misfire.iter().map(|number| *number as usize - 1).collect(),
         step: options.angle("step")?,
         tolerance: options.number("tolerance")?,
+        start_angle: options.angle("start_angle")?,
         long: options.flag("long")?.unwrap_or(false),
+        ..SimulateRequest::default()
     };
     Ok(Box::new(move |engines, watch| {
         let own = &engines[0];

@@ -2,7 +2,7 @@
 
 use crate::kit::figure::Figure;
 use crate::kit::number;
-use crate::kit::table::{Cell, Column, Table, csv_number, push_csv_line};
+use crate::kit::table::{Cell, Column, Table};
 use crate::simulated::figure::{curve, figure, panel};
 use crate::simulated::result::SimulationResult;
 use lanchester_results::{OrderLoads, TwoSided, amplitude};
@@ -143,9 +143,8 @@ pub(crate) fn orders_table(result: &SimulationResult) -> Option<Table> {
     })
 }
 
-/// All orders as CSV, real and imaginary parts.
-pub fn simulation_orders_csv(result: &SimulationResult) -> String {
-    let mut out = String::new();
+/// All orders, real and imaginary parts.
+pub(super) fn order_series(result: &SimulationResult) -> Vec<(String, Vec<f64>)> {
     let names = [
         "force_forward [N]",
         "force_backward [N]",
@@ -158,7 +157,8 @@ pub fn simulation_orders_csv(result: &SimulationResult) -> String {
         "origin_backward [m]",
     ];
     let heads = names.iter().flat_map(|name| [format!("re {name}"), format!("im {name}")]);
-    push_csv_line(&mut out, std::iter::once("order".to_owned()).chain(heads));
+    let heads = std::iter::once("order".to_owned()).chain(heads);
+    let mut columns: Vec<(String, Vec<f64>)> = heads.map(|head| (head, Vec::new())).collect();
     for one in result.orders() {
         let loads = &one.loads;
         let all = [
@@ -173,9 +173,11 @@ pub fn simulation_orders_csv(result: &SimulationResult) -> String {
             one.motion.backward,
         ];
         let values = all.iter().flat_map(|value| [value.re, value.im]);
-        push_csv_line(&mut out, std::iter::once(loads.order).chain(values).map(csv_number));
+        for (column, value) in columns.iter_mut().zip(std::iter::once(loads.order).chain(values)) {
+            column.1.push(value);
+        }
     }
-    out
+    columns
 }
 
 /// Largest load of every joint of the cylinders over the last period.

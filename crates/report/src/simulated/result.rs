@@ -30,8 +30,23 @@ pub struct SimulationResult {
     pub main_rule: MainRule,
     /// How the search for a periodic motion ended, where one was asked for.
     pub periodic: Option<PeriodicResult>,
+    /// Names of what turns besides crankshaft 1, in the order of the rotors of the reactions.
+    pub gears: Vec<String>,
+    /// Motion of the points of the block that were asked for.
+    pub points: Vec<PointMotion>,
     /// The run.
     pub run: Run,
+}
+
+/// Motion of a point of the block.
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+pub struct PointMotion {
+    /// Its name.
+    pub name: String,
+    /// Where it is with the block as drawn [m].
+    pub at: [f64; 3],
+    /// Its displacement from there at every sample [m], axes of the frame; empty with a fixed block.
+    pub displacement: Vec<[f64; 3]>,
 }
 
 /// How the search for a periodic motion ended.

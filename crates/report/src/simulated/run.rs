@@ -2,10 +2,11 @@
 
 use crate::kit::number;
 use crate::kit::paragraph::push_wrapped;
-use crate::kit::table::{Cell, Column, Table, csv_number, push_csv_line};
+use crate::kit::table::{Cell, Column, Table};
+use crate::simulated::moving::{gears_table, points_table};
 use crate::simulated::orders::{joints_table, orders_table};
 use crate::simulated::result::{SimulationResult, occasion_words};
-use lanchester_multibody::{MainRule, Outcome, PeriodicOutcome, Run, RunOutcome};
+use lanchester_multibody::{MainRule, Occasion, Outcome, PeriodicOutcome, Run, RunOutcome};
 use std::f64::consts::TAU;
 
 fn outcome_words(outcome: &RunOutcome) -> String {
@@ -32,11 +33,17 @@ fn outcome_words(outcome: &RunOutcome) -> String {
     }
 }
 
-fn words(header: &str, unit: &'static str) -> Column {
+pub(super) fn words(header: &str, unit: &'static str) -> Column {
     if unit.is_empty() { Column::words(header) } else { Column::numbers(header, unit) }
 }
 
-fn table(id: &'static str, title: &str, note: &str, columns: Vec<Column>, rows: Vec<Vec<Cell>>) -> Table {
+pub(super) fn table(
+    id: &'static str,
+    title: &str,
+    note: &str,
+    columns: Vec<Column>,
+    rows: Vec<Vec<Cell>>,
+) -> Table {
     Table { id, title: title.into(), note: note.into(), remark: String::new(), columns, rows }
 }
 
@@ -51,6 +58,7 @@ pub fn simulation_words(result: &SimulationResult) -> Vec<String> {
         number::short(theta / TAU, 6),
         number::short(number::rpm(speed), 6)
     )];
+    all.extend(stalled_words(run));
     if let Some(periodic) = &result.periodic {
         let largest = periodic.multipliers.first().map_or(0.0, |m| m[0].hypot(m[1]));
         let found = match periodic.outcome {
@@ -71,12 +79,50 @@ pub fn simulation_words(result: &SimulationResult) -> Vec<String> {
     all
 }
 
+/// Since when the crank stands at the end of a run that went on, and what friction and load hold there.
+fn stalled_words(run: &Run) -> Option<String> {
+    let samples = &run.samples;
+    let last = run
+        .events
+        .iter()
+        .rev()
+        .find(|event| matches!(event.what, Occasion::Held | Occasion::Released | Occasion::Reversed))?;
+    let stands = last.what == Occasion::Held && run.end[2] == 0.0;
+    if !stands || matches!(run.outcome, RunOutcome::AtRest { .. }) {
+        return None;
+    }
+    let series = [&samples.gas_torque, &samples.starter_torque, &samples.driveline_torque];
+    let torque: f64 = series.into_iter().filter_map(|values| values.last()).sum();
+    Some(format!(
+        "The crank stands from {} s on, at {} deg: what gas, starter and driveline give there, {} N m, friction and load hold.",
+        number::short(last.time, 5),
+        number::short(last.theta.to_degrees(), 6),
+        number::short(torque, 4)
+    ))
+}
+
 /// What the run must keep, and what it cost.
 pub(crate) fn audit_words(run: &Run) -> String {
     let audit = &run.audit;
     format!(
         "Audit: energy {:.1e} of its throughput, loops {:.1e} m, quaternion {:.1e}. Cost: {} steps, {} rejected, {} evaluations.",
         audit.energy, audit.loops, audit.quaternion, run.cost.steps, run.cost.rejected, run.cost.evaluations
+    ) + &tolerance_words(run)
+}
+
+/// Tolerances by kind of state.
+fn tolerance_words(run: &Run) -> String {
+    let t = &run.tolerances;
+    let block = match run.samples.position.is_empty() {
+        true => String::new(),
+        false => format!(
+            ", {:.1e} m, {:.1e} rad, {:.1e} m/s and {:.1e} rad/s of the block",
+            t.displacement, t.turn, t.velocity, t.spin
+        ),
+    };
+    format!(
+        " Tolerances: relative {:.1e}; absolute {:.1e} rad and {:.1e} rad/s of crank and driveline{block}, {:.1e} J.",
+        t.relative, t.angle, t.speed, t.energy
     )
 }
 
@@ -100,8 +146,10 @@ pub fn simulation_text(result: &SimulationResult) -> String {
 pub(crate) fn simulation_tables(result: &SimulationResult) -> Vec<Table> {
     let mut tables = vec![speed_table(result)];
     tables.extend(block_tables(result));
+    tables.extend(points_table(result));
     tables.extend(orders_table(result));
     tables.extend(joints_table(result));
+    tables.extend(gears_table(result));
     tables.extend(mains_table(result));
     tables.push(energy_table(&result.run));
     if !result.run.events.is_empty() {
@@ -196,8 +244,8 @@ fn mains_table(result: &SimulationResult) -> Option<Table> {
     Some(table("simulated-mains", title, note, columns, rows.collect()))
 }
 
-/// The energy ledger.
-fn energy_table(run: &Run) -> Table {
+/// Works and changes of what is stored, by name [J].
+pub(super) fn energy_parts(run: &Run) -> Vec<(String, f64)> {
     let e = &run.energy;
     let stored = [
         ("kinetic energy", e.kinetic),
@@ -215,15 +263,16 @@ fn energy_table(run: &Run) -> Table {
         ("dampers of the mounts", e.mount_damping),
         ("dampers of the driveline", e.driveline_damping),
     ];
-    let mut rows: Vec<Vec<Cell>> = works
-        .into_iter()
-        .filter(|(_, work)| *work != 0.0)
-        .map(|(name, work)| vec![Cell::text(format!("work of {name}")), Cell::number(work, 6)])
-        .collect();
+    let works = works.into_iter().filter(|(_, work)| *work != 0.0);
     let changes = stored.into_iter().filter(|(_, [a, b])| *a != 0.0 || *b != 0.0);
-    rows.extend(
-        changes.map(|(name, [a, b])| vec![Cell::text(format!("stored: {name}")), Cell::number(b - a, 6)]),
-    );
+    let works = works.map(|(name, work)| (format!("work of {name}"), work));
+    works.chain(changes.map(|(name, [a, b])| (format!("stored: {name}"), b - a))).collect()
+}
+
+/// The energy ledger.
+fn energy_table(run: &Run) -> Table {
+    let rows = energy_parts(run).into_iter();
+    let rows = rows.map(|(name, energy)| vec![Cell::text(name), Cell::number(energy, 6)]).collect();
     let note = "Works put in, and what is stored of them: both sums are equal.";
     table(
         "simulated-energy",
@@ -248,99 +297,4 @@ fn events_table(result: &SimulationResult) -> Table {
     let columns =
         vec![words("event", ""), words("time", "s"), words("crank angle", "deg"), words("speed", "rpm")];
     table("simulated-events", "Events", "", columns, rows.collect())
-}
-
-/// The energy ledger as CSV.
-pub fn simulation_energy_csv(result: &SimulationResult) -> String {
-    energy_table(&result.run).csv()
-}
-
-/// The events as CSV.
-pub fn simulation_events_csv(result: &SimulationResult) -> String {
-    events_table(result).csv()
-}
-
-/// Angle, speed, torques, pose of the block and mount forces at every sample.
-pub fn simulation_trace_csv(result: &SimulationResult) -> String {
-    let samples = &result.run.samples;
-    let mut columns: Vec<(String, Vec<f64>)> = vec![
-        ("time [s]".into(), samples.time.clone()),
-        ("theta [deg]".into(), samples.theta.iter().map(|theta| theta.to_degrees()).collect()),
-        ("speed [rad/s]".into(), samples.speed.clone()),
-        ("acceleration [rad/s2]".into(), samples.acceleration.clone()),
-        ("gas_torque [N m]".into(), samples.gas_torque.clone()),
-        ("load_torque [N m]".into(), samples.load_torque.clone()),
-        ("starter_torque [N m]".into(), samples.starter_torque.clone()),
-        ("friction_torque [N m]".into(), samples.friction_torque.clone()),
-        ("outside_torque [N m]".into(), samples.outside_torque.clone()),
-    ];
-    for (k, axis) in ["x", "y", "z"].into_iter().enumerate() {
-        if !samples.position.is_empty() {
-            columns.push((format!("position_{axis} [m]"), samples.position.iter().map(|p| p[k]).collect()));
-        }
-    }
-    for (k, part) in ["w", "x", "y", "z"].into_iter().enumerate() {
-        if !samples.orientation.is_empty() {
-            columns.push((format!("quaternion_{part}"), samples.orientation.iter().map(|q| q[k]).collect()));
-        }
-    }
-    for (mount, name) in result.mounts.iter().enumerate() {
-        for (k, axis) in ["x", "y", "z"].into_iter().enumerate() {
-            let forces = samples.mounts.iter().filter_map(|at| at.get(mount)).map(|force| force[k]).collect();
-            columns.push((format!("{name} force_{axis} [N]"), forces));
-        }
-    }
-    lines(&columns)
-}
-
-/// Side thrust, pins, mains by the three rules and shaft torque at every sample.
-pub fn simulation_reactions_csv(result: &SimulationResult) -> String {
-    let samples = &result.run.samples;
-    let degrees = samples.theta.iter().map(|theta| theta.to_degrees()).collect();
-    let mut columns: Vec<(String, Vec<f64>)> = vec![("theta [deg]".into(), degrees)];
-    let reactions = &samples.reactions;
-    let cylinders = reactions.first().map_or(0, |first| first.cylinders.len());
-    for index in 0..cylinders {
-        let of = |pick: &dyn Fn(&lanchester_multibody::CylinderReactions) -> f64| -> Vec<f64> {
-            reactions.iter().map(|r| pick(&r.cylinders[index])).collect()
-        };
-        let name = format!("cylinder {}", index + 1);
-        columns.push((format!("{name} side_thrust [N]"), of(&|c| c.side_thrust)));
-        for (k, axis) in ["x", "y", "z"].into_iter().enumerate() {
-            columns.push((format!("{name} piston_pin_{axis} [N]"), of(&|c| c.piston_pin.force[k])));
-            columns.push((format!("{name} lower_pin_{axis} [N]"), of(&|c| c.lower_pin.force[k])));
-        }
-        for (k, unit) in ["position [m]", "speed [m/s]", "acceleration [m/s2]"].into_iter().enumerate() {
-            columns.push((format!("{name} piston_{unit}"), of(&|c| c.travel[k])));
-        }
-        columns.push((format!("{name} radial [N]"), of(&|c| c.throw_frame[0])));
-        columns.push((format!("{name} tangential [N]"), of(&|c| c.throw_frame[1])));
-    }
-    for (shaft, planes) in result.mains.iter().enumerate() {
-        for main in 0..planes.len() {
-            for (rule, name) in MainRule::ALL.into_iter().enumerate().map(|(k, rule)| (k, rule.name())) {
-                for (k, axis) in ["x", "y"].into_iter().enumerate() {
-                    let loads = reactions
-                        .iter()
-                        .map(|r| r.rotors[shaft].mains[rule].get(main).map_or(f64::NAN, |f| f[k]));
-                    columns.push((
-                        format!("main {}.{} {name}_{axis} [N]", shaft + 1, main + 1),
-                        loads.collect(),
-                    ));
-                }
-            }
-        }
-    }
-    columns.push(("shaft_torque [N m]".into(), reactions.iter().map(|r| r.shaft_torque).collect()));
-    lines(&columns)
-}
-
-fn lines(columns: &[(String, Vec<f64>)]) -> String {
-    let mut out = String::new();
-    push_csv_line(&mut out, columns.iter().map(|(name, _)| name.clone()));
-    let count = columns.iter().map(|(_, values)| values.len()).min().unwrap_or(0);
-    for k in 0..count {
-        push_csv_line(&mut out, columns.iter().map(|(_, values)| csv_number(values[k])));
-    }
-    out
 }

@@ -117,6 +117,25 @@ fn block_figures(result: &SimulationResult) -> Vec<Figure> {
         "Path of the origin about its mean place in the last period, seen along the crank axis.",
         vec![panel(["y", "x"], ["m", "m"], Some(0.0), vec![curve("origin", 0, orbit)])],
     )];
+    let paths: Vec<XyCurve> = result
+        .points
+        .iter()
+        .enumerate()
+        .filter_map(|(style, point)| {
+            let own = point.displacement.get(range.clone())?;
+            let mean = [0, 1].map(|k| own.iter().map(|at| at[k]).sum::<f64>() / count);
+            let path = own.iter().map(|at| (at[1] - mean[1], at[0] - mean[0])).collect();
+            Some(curve(&point.name, style, path))
+        })
+        .collect();
+    if !paths.is_empty() {
+        figures.push(figure(
+            "simulated-points",
+            "Orbits of points of the block",
+            "Paths about their mean places in the last period, seen along the crank axis.",
+            vec![panel(["y", "x"], ["m", "m"], Some(0.0), paths)],
+        ));
+    }
     let start = samples.theta[range.start];
     let panels: Vec<Panel> = result
         .mounts

@@ -5,6 +5,7 @@ use crate::asker::Asker;
 use crate::problem::Problem;
 use crate::questions::reading::engine_file;
 use crate::state::superseded;
+use lanchester::file::event_from_words;
 use lanchester::multibody::{LoadLaw, MainRule, RunOutcome};
 use lanchester::report::{SimulationResult, simulation_words};
 use lanchester::task::option;
@@ -28,6 +29,9 @@ struct SimulateQuestion {
     /// Speed of crankshaft 1 at the start [rad/s].
     #[serde(default)]
     speed: Option<f64>,
+    /// Crank angle at the start [rad].
+    #[serde(default)]
+    angle: Option<f64>,
     /// Revolutions that it lasts.
     #[serde(default)]
     revolutions: Option<f64>,
@@ -52,7 +56,23 @@ struct SimulateQuestion {
     /// Numbers of cylinders that fire no more after the first revolution.
     #[serde(default)]
     misfire: Vec<usize>,
+    /// What happens on the way, besides what the file says.
+    #[serde(default)]
+    events: Vec<AskedEvent>,
 }
+
+/// Something that is to happen on the way, in the words of the engine file.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct AskedEvent {
+    /// A time, an angle, revolutions or a speed that is passed: `3 revolutions`, `speed falls to 900 rpm`.
+    when: String,
+    /// `misfire 3`, `fuel 0 %`, `load 120 N m`, `load none`, `clutch open` or `stop`.
+    what: String,
+}
+
+/// Most events of a question.
+const MOST_EVENTS: usize = 64;
 
 /// A run. Every curve has one value a sample.
 #[derive(Debug, Serialize, JsonSchema)]
@@ -139,6 +159,21 @@ fn simulated(asker: &Asker, question: SimulateQuestion) -> Result<SimulationAnsw
     if let Some(number) = question.misfire.iter().find(|number| !(1..=count).contains(*number)) {
         return refused(format!("cylinders are numbered from 1 to {count}, got {number}"));
     }
+    if let Some(angle) = question.angle.filter(|angle| !angle.is_finite()) {
+        return refused(format!("the crank angle at the start must be a number, got {angle}"));
+    }
+    if question.events.len() > MOST_EVENTS {
+        return refused(format!("a run has at most {MOST_EVENTS} events, got {}", question.events.len()));
+    }
+    let mut events = Vec::new();
+    for (index, asked) in question.events.iter().enumerate() {
+        match event_from_words(&asked.when, &asked.what, count) {
+            Ok(event) => events.push(event),
+            Err((message, hint)) => {
+                return refused(format!("event {}: {message}\nhint: {hint}", index + 1));
+            }
+        }
+    }
     let load = match question.load.as_deref().map(str::trim) {
         None | Some("") => None,
         Some("none") => Some(LoadLaw::None),
@@ -150,6 +185,8 @@ fn simulated(asker: &Asker, question: SimulateQuestion) -> Result<SimulationAnsw
     };
     let request = SimulateRequest {
         speed: question.speed,
+        start_angle: question.angle,
+        events,
         length,
         imposed: question.imposed,
         on_mounts: question.on_mounts,

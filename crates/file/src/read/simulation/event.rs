@@ -12,6 +12,14 @@ use std::f64::consts::TAU;
 /// What is wrong, and what to write instead.
 type Refused = (String, String);
 
+/// An event from the words that `when` and `do` of `[[simulation.event]]` take, for an engine with that many cylinders.
+///
+/// # Errors
+/// What is wrong, and what to write instead.
+pub fn event_from_words(when: &str, action: &str, cylinders: usize) -> Result<Event, (String, String)> {
+    Ok(Event { when: when_of(when.trim())?, action: action_of(action.trim(), Some(cylinders))? })
+}
+
 impl<'a> Reader<'a> {
     pub(in crate::read) fn events(
         &mut self,

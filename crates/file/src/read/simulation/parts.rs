@@ -154,9 +154,8 @@ impl<'a> Reader<'a> {
             let hint = "add [gas] with [[gas.trace]] or [gas.cycle]";
             self.without_effect(self.root, "governor", "it scales the fired part of the gas", hint);
         }
-        let [speed, gain, delay] =
-            ["speed", "gain", "delay"].map(|key| self.required(section, key, section.number(key)));
-        let integral = section.number("integral").or(0.0);
+        let [speed, gain] = ["speed", "gain"].map(|key| self.required(section, key, section.number(key)));
+        let [integral, delay, lag] = ["integral", "delay", "lag"].map(|key| section.number(key).or(0.0));
         let [droop, start] = ["droop", "start"].map(|key| {
             let share = section.number(key).or(0.0)?;
             let fits = if key == "droop" { share < 1.0 } else { share <= 1.0 };
@@ -177,6 +176,7 @@ impl<'a> Reader<'a> {
             integral: integral?,
             droop: droop?,
             delay: delay?,
+            lag: lag?,
             start: start?,
         }))
     }

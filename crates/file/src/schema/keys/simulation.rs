@@ -5,13 +5,17 @@ use super::super::Need::{Optional, Required};
 use super::super::{Kind, Table};
 use super::entry::{key, quantity};
 use lanchester_units::Dimension::{
-    Angle, AngularDamping, AngularStiffness, Inertia, PerSpeed, Power, Rate, Speed, Stiffness, Time, Torque,
+    Angle, AngularDamping, AngularStiffness, Energy, Inertia, Length, PerSpeed, Power, Rate, Speed,
+    Stiffness, Time, Torque, Velocity,
 };
 
 /// Most inertias of a driveline, events of a run, and points of a table.
 pub(super) const MOST_LINKS: usize = 8;
 const MOST_EVENTS: usize = 64;
 const MOST_POINTS: usize = 256;
+
+/// Most named points of the block, and most gears with teeth.
+const MOST_NAMED: usize = 32;
 
 /// Where the reaction to a torque goes.
 const GROUND_OR_BLOCK: &[&str] = &["ground", "block"];
@@ -86,6 +90,13 @@ pub(super) static SIMULATION: Table = Table {
             "1e-9",
         ),
         key(
+            "tolerances",
+            Kind::Table(&TOLERANCES),
+            Optional,
+            "Absolute tolerances by kind of state, where they are not to follow from `tolerance`.",
+            "{ speed = \"1e-6 rad/s\", displacement = \"1e-6 mm\" }",
+        ),
+        key(
             "guidance",
             Kind::Choice(&["crankpin", "piston"]),
             Optional,
@@ -112,6 +123,27 @@ pub(super) static SIMULATION: Table = Table {
             Optional,
             "Torque on crankshaft 1 over its angle, from the ground, as a sum of orders, or from a file: [{ file = \"torque.csv\" }]; instead of the gas or beside it.",
             "[{ order = 0, cos = \"60 N m\" }, { order = 0.5, sin = \"150 N m\" }]",
+        ),
+        key(
+            "crankshaft",
+            Kind::Choice(&["unbalances", "body"]),
+            Optional,
+            "Whether the crankshafts turn as their unbalances and polar inertia say (default), or as the bodies of [crank.body], with centre, products of inertia and unlike inertias across the axis.",
+            "\"body\"",
+        ),
+        key(
+            "point",
+            Kind::Tables(&POINT, MOST_NAMED),
+            Optional,
+            "Points of the block whose motion the result gives.",
+            "[{ name = \"top of the head\", x = \"350 mm\", y = \"0 mm\", z = \"0 mm\" }]",
+        ),
+        key(
+            "mesh",
+            Kind::Tables(&MESH, MOST_NAMED),
+            Optional,
+            "External spur gears by which crankshaft 1 drives other shafts: their force along the line of action, which the bearings carry.",
+            "[{ shaft = \"balance shaft\", pressure_angle = \"20 deg\", z = \"-60 mm\" }]",
         ),
         key(
             "event",
@@ -151,6 +183,53 @@ static START: Table = Table {
             "Whether the block stands where its mounts carry weight and mean torque (default), or in the position of the file.",
             "\"equilibrium\"",
         ),
+    ],
+};
+
+static TOLERANCES: Table = Table {
+    header: "[simulation.tolerances]",
+    doc: "Absolute tolerances of a run's steps by kind of state.",
+    keys: &[
+        quantity("angle", Angle, Positive, "Of the angles of crank and driveline.", "\"1e-9 rad\""),
+        quantity("speed", Speed, Positive, "Of their speeds.", "\"1e-6 rad/s\""),
+        quantity("displacement", Length, Positive, "Of the place of the block.", "\"1e-6 mm\""),
+        quantity("turn", Angle, Positive, "Of the turn of the block.", "\"1e-9 rad\""),
+        quantity("velocity", Velocity, Positive, "Of its velocity.", "\"1e-4 mm/s\""),
+        quantity("spin", Speed, Positive, "Of its angular velocity.", "\"1e-7 rad/s\""),
+        quantity("energy", Energy, Positive, "Of works.", "\"1e-6 J\""),
+    ],
+};
+
+static POINT: Table = Table {
+    header: "[[simulation.point]]",
+    doc: "A point of the block.",
+    keys: &[
+        key("name", Kind::Text(80), Required, "Its name in tables and pictures.", "\"top of the head\""),
+        quantity("x", Length, Any, "Its place; default 0.", "\"350 mm\""),
+        quantity("y", Length, Any, "Its place; default 0.", "\"0 mm\""),
+        quantity("z", Length, Any, "Its place along the crank axis; default 0.", "\"0 mm\""),
+    ],
+};
+
+static MESH: Table = Table {
+    header: "[[simulation.mesh]]",
+    doc: "External spur gears between crankshaft 1 and a shaft that it drives directly, which turns the other way.",
+    keys: &[
+        key(
+            "shaft",
+            Kind::Text(80),
+            Required,
+            "Name of the driven crankshaft, balance shaft or gear.",
+            "\"balance shaft\"",
+        ),
+        key(
+            "pressure_angle",
+            Kind::Quantity(Angle, NotNegative),
+            Required,
+            "Angle between the line of action and the common tangent of the pitch circles, up to 45 deg.",
+            "\"20 deg\"",
+        ),
+        key("z", Kind::Quantity(Length, Any), Required, "Middle plane of the teeth.", "\"-60 mm\""),
     ],
 };
 
@@ -348,12 +427,19 @@ pub(super) static GOVERNOR: Table = Table {
             "Drop of the speed that it holds from no load to full load; default 0.",
             "\"4 %\"",
         ),
-        key(
+        quantity(
             "delay",
-            Kind::Quantity(Time, Positive),
-            Required,
-            "Time constant of its actuator, a lag of first order.",
+            Time,
+            NotNegative,
+            "Dead time: what it commands reaches the gas so much later; default 0.",
             "\"20 ms\"",
+        ),
+        quantity(
+            "lag",
+            Time,
+            NotNegative,
+            "Time constant of its actuator, a lag of first order behind the dead time; default 0.",
+            "\"50 ms\"",
         ),
         key("start", Kind::Share, Optional, "Factor at the start; default 0.", "\"30 %\""),
     ],
