@@ -174,6 +174,9 @@ struct Driven {
 /// Angle from a kink of the pressure within which the pressure is that inside [rad].
 const BESIDE: f64 = 1e-12;
 
+/// Beyond its ends the wanted factor of a governor fades its integral out over this much.
+const GOVERNOR_FADES: f64 = 0.01;
+
 impl<'a> Powered<'a> {
     /// Motion of block and crank of a state whose angle is `theta`.
     pub fn motion(&self, theta: f64, state: &[f64]) -> Motion {
@@ -423,9 +426,10 @@ impl<'a> Powered<'a> {
             let error = governor.speed * (1.0 - governor.droop * u) - speed;
             let wanted = governor.gain * error + sum;
             rates[at] = (wanted.clamp(0.0, 1.0) - u) / governor.delay;
-            // The integral waits while the actuator is at its end.
-            let waits = (wanted > 1.0 && error > 0.0) || (wanted < 0.0 && error < 0.0);
-            rates[at + 1] = if waits { 0.0 } else { governor.gain * governor.integral * error };
+            // Beyond the end of the actuator the integral fades out: a sharp end would switch to and fro.
+            let beyond = if error > 0.0 { wanted - 1.0 } else { -wanted };
+            let share = (1.0 - beyond / GOVERNOR_FADES).clamp(0.0, 1.0);
+            rates[at + 1] = governor.gain * governor.integral * error * share;
         }
         let absolute = speed + spin_z;
         let mut works = [0.0; WORKS];

@@ -1511,8 +1511,18 @@ export type EngineGraphAnswer = {
 
 /** An engine whose graph is wanted. */
 export type EngineGraphQuestion = {
+  /** How the block moves; default: in space on its mounts where the file gives them with viscous damping. */
+  block?: BlockOf | null;
+  /** Whether the joints are springs and dampers instead of ideal. */
+  compliant?: boolean;
+  /** Whether the gas is states with valves and heat release; otherwise as the file says. */
+  gas_states?: boolean;
+  /** Whether the speed is imposed; otherwise as the file says. */
+  imposed?: boolean;
   /** The engine file. */
   text: string;
+  /** Whether the balance shafts are left out. */
+  without_shafts?: boolean;
 };
 
 /** The engine in short. */
