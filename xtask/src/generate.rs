@@ -8,7 +8,7 @@ use std::path::Path;
 use std::process::Command;
 
 /// Pages and pictures of the book, and the picture of the README.
-const WRITTEN: [Written; 29] = [
+const WRITTEN: [Written; 34] = [
     Written {
         file: "crates/studio/page/src/api/types.ts",
         head: "",
@@ -96,6 +96,7 @@ const WRITTEN: [Written; 29] = [
     },
     drawn("docs/src/images/bond-graph-slider-crank.svg", &DRAWN_SLIDER),
     drawn("docs/src/images/bond-graph-prismatic-pair.svg", &DRAWN_PAIR),
+    drawn("docs/src/images/bond-graph-three-cylinder.svg", &DRAWN_ENGINE),
     graph_run("docs/src/images/bond-graph-pressures.svg", &RUN_UP, "bond-graph-pressures.svg"),
     graph_run("docs/src/images/bond-graph-loops.svg", &RUN_UP, "bond-graph-loops.svg"),
     graph_run("docs/src/images/bond-graph-speed.svg", &RUN_UP, "bond-graph-speed.svg"),
@@ -137,6 +138,7 @@ const fn drawn(file: &'static str, arguments: &'static [&'static str]) -> Writte
 }
 
 const DRAWN_SLIDER: [&str; 3] = ["bondgraph", "draw", "examples/bond-graphs/slider-crank.toml"];
+const DRAWN_ENGINE: [&str; 5] = ["bondgraph", "draw", "examples/three-cylinder.toml", "--block", "fixed"];
 const DRAWN_PAIR: [&str; 3] = ["bondgraph", "draw", "examples/bond-graphs/prismatic-pair.toml"];
 
 /// Curves of the bond graphs of a thesis, as the guide's page on it asks for them.

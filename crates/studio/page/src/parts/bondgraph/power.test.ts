@@ -36,8 +36,8 @@ test("parameters are the numbers of their section", () => {
 });
 
 test("the graph file is the one that no other uses", () => {
-  const part = { name: "mass.toml", text: "name = \"mass\"" };
-  const whole = { name: "whole.toml", text: "[[use]]\ngraph = \"parts/mass.toml\"" };
+  const part = { name: "mass.toml", text: 'name = "mass"' };
+  const whole = { name: "whole.toml", text: '[[use]]\ngraph = "parts/mass.toml"' };
   const table = { name: "push.csv", text: "0,0" };
   expect(chief([table, part, whole])).toBe(whole);
   expect(chief([table])).toBe(undefined);

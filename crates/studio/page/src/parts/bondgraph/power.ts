@@ -30,8 +30,7 @@ export interface Parameter {
 /** The graph file among files that were opened together: the one that no other uses. */
 export function chief<T extends { name: string; text: string }>(files: readonly T[]): T | undefined {
   const graphs = files.filter(({ name }) => name.endsWith(".toml"));
-  const isUsed = (own: T) =>
-    graphs.some((other) => other !== own && other.text.includes(`${own.name}"`));
+  const isUsed = (own: T) => graphs.some((other) => other !== own && other.text.includes(`${own.name}"`));
   return graphs.find((own) => !isUsed(own)) ?? graphs[0];
 }
 
