@@ -9,7 +9,7 @@ use std::path::Path;
 use std::process::Command;
 
 /// Pages and pictures of the book, and the picture of the README.
-const WRITTEN: [Written; 29] = [
+const WRITTEN: [Written; 34] = [
     Written {
         file: "crates/studio/page/src/api/types.ts",
         head: "",
@@ -97,9 +97,14 @@ const WRITTEN: [Written; 29] = [
     },
     drawn("docs/src/images/bond-graph-slider-crank.svg", &DRAWN_SLIDER),
     drawn("docs/src/images/bond-graph-prismatic-pair.svg", &DRAWN_PAIR),
+    drawn("docs/src/images/bond-graph-three-cylinder.svg", &DRAWN_ENGINE),
     graph_run("docs/src/images/bond-graph-pressures.svg", &RUN_UP, "bond-graph-pressures.svg"),
     graph_run("docs/src/images/bond-graph-loops.svg", &RUN_UP, "bond-graph-loops.svg"),
     graph_run("docs/src/images/bond-graph-speed.svg", &RUN_UP, "bond-graph-speed.svg"),
+    graph_run("docs/src/images/bond-graph-pressures-four.svg", &RUN_UP_FOUR, "bond-graph-pressures.svg"),
+    graph_run("docs/src/images/bond-graph-loops-four.svg", &RUN_UP_FOUR, "bond-graph-loops.svg"),
+    graph_run("docs/src/images/bond-graph-speed-four.svg", &RUN_UP_FOUR, "bond-graph-speed.svg"),
+    graph_run("docs/src/images/bond-graph-tilt.svg", &TILT, "bond-graph-tilt.svg"),
     graph_run("docs/src/images/bond-graph-block-without.svg", &ROCKING_WITHOUT, "bond-graph-block.svg"),
     graph_run("docs/src/images/bond-graph-block-with.svg", &ROCKING_WITH, "bond-graph-block.svg"),
     graph_run("docs/src/images/bond-graph-second-order.svg", &SHAFT_FORCES, "bond-graph-second-order.svg"),
@@ -134,6 +139,7 @@ const fn drawn(file: &'static str, arguments: &'static [&'static str]) -> Writte
 }
 
 const DRAWN_SLIDER: [&str; 3] = ["bondgraph", "draw", "examples/bond-graphs/slider-crank.toml"];
+const DRAWN_ENGINE: [&str; 5] = ["bondgraph", "draw", "examples/three-cylinder.toml", "--block", "fixed"];
 const DRAWN_PAIR: [&str; 3] = ["bondgraph", "draw", "examples/bond-graphs/prismatic-pair.toml"];
 
 /// Curves of the bond graphs of a thesis, as the guide's page on it asks for them.
@@ -153,6 +159,35 @@ const RUN_UP: [&str; 11] = [
     "5 s",
     "--samples",
     "24000",
+];
+const RUN_UP_FOUR: [&str; 11] = [
+    "bondgraph",
+    "simulate",
+    "validation/three-four-cylinder-thesis/four-cylinder-simulated.toml",
+    "--block",
+    "fixed",
+    "--speed",
+    "1000 rpm",
+    "--for",
+    "5 s",
+    "--samples",
+    "24000",
+];
+const TILT: [&str; 14] = [
+    "bondgraph",
+    "simulate",
+    "examples/three-cylinder.toml",
+    "--imposed",
+    "--joints",
+    "compliant",
+    "--skirt-offset",
+    "-10 mm",
+    "--block",
+    "fixed",
+    "--for",
+    "0.12 s",
+    "--samples",
+    "1440",
 ];
 const ROCKING_WITH: [&str; 8] = [
     "bondgraph",

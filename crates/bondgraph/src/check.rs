@@ -11,6 +11,7 @@ use std::sync::Arc;
 
 mod law;
 mod rule;
+mod signal;
 
 /// More elements or bonds are refused.
 const MOST: usize = 5000;
@@ -39,6 +40,10 @@ pub(crate) struct Checker<'a> {
     local: HashMap<String, Parsed>,
     /// Whether only numbers may be named: parameters, starts.
     numbers_only: bool,
+    /// Signals that are being read, one within the other.
+    depth: usize,
+    /// Integrals of a known unit that were named on the way: their integrands are read afterwards.
+    deferred: Vec<usize>,
 }
 
 /// Checks a description; the graph may be wrong where a mistake was noted.
@@ -64,6 +69,8 @@ pub(crate) fn check(description: &Description, mistakes: &mut Mistakes) -> Optio
         bonds: Vec::new(),
         local: HashMap::new(),
         numbers_only: true,
+        depth: 0,
+        deferred: Vec::new(),
     };
     checker.names();
     checker.pool.curves =
@@ -90,6 +97,9 @@ pub(crate) fn check(description: &Description, mistakes: &mut Mistakes) -> Optio
     }
     for index in 0..description.signals.len() {
         checker.signal(index);
+        while let Some(deferred) = checker.deferred.pop() {
+            checker.integrand(deferred);
+        }
     }
     for index in 0..checker.elements.len() {
         checker.law(index);
@@ -441,74 +451,6 @@ impl Checker<'_> {
             });
             self.bonds.push(Bond { from, to, domain });
         }
-    }
-
-    fn signal(&mut self, index: usize) -> Option<Parsed> {
-        if let Progress::Done(parsed) = self.signal_progress[index] {
-            return parsed;
-        }
-        let entry = &self.description.signals[index];
-        let name = &entry.name;
-        let symbol = self.pool.var(Var::Signal(index as u32));
-        if self.signal_progress[index] == Progress::Reading {
-            let message = format!("signal `{}` needs itself", name.text);
-            self.mistakes.push(
-                "E1711",
-                &name.span,
-                message,
-                "break the circle with an integral, or give its start a unit",
-            );
-            return None;
-        }
-        for (key, _) in &entry.keys {
-            if !["value", "integral_of", "start"].contains(&key.text.as_str()) {
-                let hint = "a signal has value, or integral_of and start";
-                self.mistakes.push("E1702", &key.span, format!("a signal has no `{}`", key.text), hint);
-            }
-        }
-        self.signal_progress[index] = Progress::Reading;
-        let parsed = match (entry.get("value"), entry.get("integral_of")) {
-            (Some(text), None) => parse(text, self).map(|value| {
-                self.signals[index].value = value.id;
-                value.unit
-            }),
-            (None, Some(text)) => {
-                let start = entry.get("start").cloned().unwrap_or_else(|| Text::from("0"));
-                self.numbers_only = true;
-                let start_value = parse(&start, self);
-                self.numbers_only = false;
-                let start_unit = start_value.and_then(|value| value.unit);
-                let value = start_value.map_or(f64::NAN, |value| self.number(value.id));
-                self.signals[index].start = Some(value);
-                if start_unit.is_some() {
-                    // The unit is known: the integrand may name the signal itself.
-                    self.signal_progress[index] =
-                        Progress::Done(Some(Parsed { id: symbol, unit: start_unit }));
-                }
-                parse(text, self).map(|integrand| {
-                    self.signals[index].value = integrand.id;
-                    let unit = integrand.unit.map(|unit| unit.times(Unit::SECOND));
-                    if let (Some(a), Some(b)) = (unit, start_unit)
-                        && a != b
-                    {
-                        let message =
-                            format!("signal `{}` is an integral in {a}, but starts in {b}", name.text);
-                        self.mistakes.push("E1705", &start.span, message, format!("give the start in {a}"));
-                    }
-                    start_unit.or(unit)
-                })
-            }
-            _ => {
-                let message = format!("signal `{}` needs a value or an integral", name.text);
-                let hint = "for example theta = { integral_of = \"shaft.flow\", start = \"0 rad\" }";
-                self.mistakes.push("E1709", &name.span, message, hint);
-                None
-            }
-        };
-        let parsed = parsed.map(|unit| Parsed { id: symbol, unit });
-        self.signals[index].unit = parsed.and_then(|parsed| parsed.unit).unwrap_or(Unit::NONE);
-        self.signal_progress[index] = Progress::Done(parsed);
-        parsed
     }
 
     /// Duration, samples and tolerance.

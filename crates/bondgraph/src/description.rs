@@ -45,13 +45,15 @@ pub struct Use {
     pub parameters: Vec<(Text, Text)>,
 }
 
-/// Something that happens where a quantity rises through zero: states are set anew.
+/// Something that happens where a quantity rises through zero: states are set anew, or the simulation ends.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Happening {
     /// The quantity.
     pub when: Text,
     /// States, `ball.momentum` or a signal that is an integral, and their new values by the values just before.
     pub set: Vec<(Text, Text)>,
+    /// Whether the simulation ends there.
+    pub stop: bool,
 }
 
 /// A bond graph as it is described, unchecked; [`crate::Graph::new`] checks it.
@@ -120,7 +122,14 @@ impl Description {
     #[must_use]
     pub fn event(mut self, when: &str, set: &[(&str, &str)]) -> Description {
         let set = set.iter().map(|(state, value)| ((*state).into(), (*value).into())).collect();
-        self.events.push(Happening { when: when.into(), set });
+        self.events.push(Happening { when: when.into(), set, stop: false });
+        self
+    }
+
+    /// Ends a simulation where `when` rises through zero.
+    #[must_use]
+    pub fn stop(mut self, when: &str) -> Description {
+        self.events.push(Happening { when: when.into(), set: Vec::new(), stop: true });
         self
     }
 

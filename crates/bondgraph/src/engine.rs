@@ -22,6 +22,7 @@
 //! Rosenberg, *System Dynamics*, 5th edition, chapter 9.
 
 mod body;
+mod changes;
 mod compliant;
 mod cylinder;
 mod gas;
@@ -45,6 +46,7 @@ use crate::description::Description;
 use crate::equations::equations;
 use crate::graph::Graph;
 use body::Frame;
+use changes::Changing;
 use joint_start::JointStart;
 use lanchester_model::Engine;
 use numbers::Numbers;
@@ -65,6 +67,7 @@ pub fn engine_graph(engine: &Engine, request: &EngineRequest) -> Result<Descript
         numbers,
         frame: Frame::new(request.block),
         start: JointStart::default(),
+        changing: Changing::default(),
         graph: Description::new(&engine.name),
     };
     builder.check_mounts()?;
@@ -77,6 +80,7 @@ pub fn engine_graph(engine: &Engine, request: &EngineRequest) -> Result<Descript
     builder.block();
     builder.bearings();
     builder.rotors();
+    builder.changes();
     builder.surroundings();
     builder.cylinders();
     builder.mounts();
@@ -99,6 +103,8 @@ pub(crate) struct Builder<'a> {
     frame: Frame,
     /// Where free bodies start.
     start: JointStart,
+    /// What events set.
+    changing: Changing,
     graph: Description,
 }
 

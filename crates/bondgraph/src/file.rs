@@ -15,7 +15,9 @@ const LONGEST: usize = 1024 * 1024;
 pub fn is_graph_file(text: &str) -> bool {
     text.lines().any(|line| {
         let line = line.trim();
-        line == "[elements]" || line.starts_with("[elements.") || line.starts_with("elements ")
+        matches!(line, "[elements]" | "[bonds]" | "[[use]]")
+            || line.starts_with("[elements.")
+            || line.starts_with("elements ")
     })
 }
 
@@ -142,7 +144,7 @@ fn used(item: &Item<'_>, mistakes: &mut Mistakes) -> Option<Use> {
     Some(found)
 }
 
-/// One `[[event]]`: `when` and `set`.
+/// One `[[event]]`: `when` and `set` or `stop`.
 fn happening(item: &Item<'_>, mistakes: &mut Mistakes) -> Option<Happening> {
     let hint = "write when = \"-height\" and set = { \"ball.momentum\" = \"-0.8*ball.momentum\" }";
     let place = span(item);
@@ -155,17 +157,18 @@ fn happening(item: &Item<'_>, mistakes: &mut Mistakes) -> Option<Happening> {
         match (key.name, item.as_str(), item.as_table()) {
             ("when", Some(text), _) => found.when = Text { text: text.to_owned(), span: span(item) },
             ("set", _, Some(table)) => found.set = texts(table, mistakes),
+            ("stop", ..) if item.as_bool().is_some() => found.stop = item.as_bool() == Some(true),
             _ => {
                 let message = format!("[[event]] has no `{}` of this form", key.name);
                 mistakes.push("E1702", &span(item), message, hint);
             }
         }
     }
-    if found.when.text.is_empty() || found.set.is_empty() {
+    if found.when.text.is_empty() || (found.set.is_empty() && !found.stop) {
         mistakes.push(
             "E1709",
             &place,
-            "[[event]] needs a quantity that rises through zero, and what it sets",
+            "[[event]] needs a quantity that rises through zero, and what it sets or `stop = true`",
             hint,
         );
         return None;

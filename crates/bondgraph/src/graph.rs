@@ -149,6 +149,8 @@ pub(crate) struct Rule {
     pub(crate) when: Id,
     /// States and their new values.
     pub(crate) set: Vec<(Var, Id)>,
+    /// Whether the simulation ends there.
+    pub(crate) stop: bool,
     pub(crate) span: std::ops::Range<usize>,
 }
 

@@ -90,7 +90,7 @@ fn include(description: &mut Description, other: &Description, used: &Use, mista
     description.relax.extend(other.relax.iter().map(entry));
     for event in &other.events {
         let set = event.set.iter().map(|(state, value)| (renamed(state), renamed(value))).collect();
-        description.events.push(Happening { when: renamed(&event.when), set });
+        description.events.push(Happening { when: renamed(&event.when), set, stop: event.stop });
     }
     for bond in &other.bonds {
         let ends: Vec<String> = bond.text.split('>').map(|end| prefixed(end.trim()).text).collect();

@@ -10,8 +10,8 @@ use lanchester_bondgraph::{
 };
 use lanchester_mechanism::{CylinderGas, GasTrain, Lever, LoadError, TorqueError, TorqueRequest, torque};
 use lanchester_model::{
-    Action, BlockKind, Engine, ImposedAgainst, LoadLaw, ReactsOn, RunLength, SimulationInput, SpeedKind,
-    StartOfBlock, StateTolerances,
+    Action, BlockKind, Engine, ImposedAgainst, ReactsOn, RunLength, SimulationInput, SpeedKind, StartOfBlock,
+    StateTolerances,
 };
 use lanchester_multibody::STANDARD_GRAVITY;
 use lanchester_results::PeriodicCurve;
@@ -156,7 +156,17 @@ pub fn engine_bond_graph(
     }
     let as_states = request.gas_as_states || (input.gas_states && with_gas);
     if as_states {
-        found.gas_states = Some(GasStates::of(engine)?);
+        let mut states = GasStates::of(engine)?;
+        if let (Some(walls), Some(body)) =
+            (&mut states.walls, report.as_ref().and_then(|report| report.body_temperature))
+        {
+            walls.start = body;
+            notes.push(format!(
+                "The body starts with {body:.1} K: its temperature at {:.0} rpm.",
+                reference * 30.0 / PI
+            ));
+        }
+        found.gas_states = Some(states);
     }
     let mut mean = 0.0;
     if let Some(report) = &report {
@@ -184,7 +194,7 @@ pub fn engine_bond_graph(
     }
     let law = match (&request.load, &input.load) {
         (Some(law), _) => law.clone(),
-        (None, Some(load)) => load_torque(&load.law),
+        (None, Some(load)) => LoadTorque::from(&load.law),
         (None, None) if imposed || report.is_none() => LoadTorque::None,
         (None, None) => {
             let load = mean - found.friction_torque;
@@ -221,6 +231,9 @@ pub fn engine_bond_graph(
         until: starter.until,
         reacts_on_block: starter.reacts_on == ReactsOn::Block,
     });
+    // What came a dead time before is no state of a graph.
+    found.governor = input.governor.filter(|governor| governor.delay == 0.0);
+    found.events.clone_from(&input.events);
     let orders = input.torque_orders().map_err(|error| TorqueError::from(LoadError::Unread(error)))?;
     found.torque = orders.iter().map(|order| [order.order, order.sin, order.cos]).collect();
     found.joints = joints(engine, &request.joints, &mut notes);
@@ -255,21 +268,6 @@ fn joints(engine: &Engine, asked: &EngineJoints, notes: &mut Vec<String>) -> Eng
     EngineJoints::Compliant(joints)
 }
 
-/// The torque law of a load.
-fn load_torque(law: &LoadLaw) -> LoadTorque {
-    match law {
-        LoadLaw::None => LoadTorque::None,
-        LoadLaw::Constant(torque) => LoadTorque::Constant(*torque),
-        LoadLaw::Viscous { torque, at } => LoadTorque::Viscous(torque / at),
-        LoadLaw::Quadratic { torque, at } => LoadTorque::Quadratic(torque / (at * at)),
-        LoadLaw::Power { power, least_speed } => {
-            LoadTorque::Power { power: *power, least_speed: *least_speed }
-        }
-        LoadLaw::Table(points) => LoadTorque::Speed(points.clone()),
-        LoadLaw::Angle { period, points } => LoadTorque::Angle { period: *period, points: points.clone() },
-    }
-}
-
 /// What the file gives for a run and the graph does not hold.
 fn left_out(
     engine: &Engine,
@@ -278,18 +276,21 @@ fn left_out(
     request: &BondGraphRequest,
 ) -> Vec<&'static str> {
     let moves = found.block != EngineBlock::Fixed;
+    let has_gas = found.gas_states.is_some() || !found.pressures.is_empty();
     let imposed = found.drive == EngineDrive::Imposed;
     let driveline_torque = engine.block.as_ref().is_some_and(|block| block.driveline_torque != [0.0; 3]);
     let does = |wanted: fn(&Action) -> bool| input.events.iter().any(|event| wanted(&event.action));
     [
-        ("[governor]", input.governor.is_some()),
+        ("[governor] without gas", input.governor.is_some() && !has_gas),
+        ("[governor] with a dead time", input.governor.is_some_and(|governor| governor.delay > 0.0)),
         (
-            "misfires and fuel of [[simulation.event]]",
-            does(|a| matches!(a, Action::Misfire(_) | Action::Fuel(_))),
+            "misfires and fuel of [[simulation.event]] without gas",
+            !has_gas && does(|a| matches!(a, Action::Misfire(_) | Action::Fuel(_))),
         ),
-        ("changes of the load of [[simulation.event]]", does(|a| matches!(a, Action::Load(_)))),
-        ("the clutch of [[simulation.event]]", does(|a| matches!(a, Action::ClutchOpen))),
-        ("the stop of [[simulation.event]]", does(|a| matches!(a, Action::Stop))),
+        (
+            "the clutch of [[simulation.event]] without [[driveline]]",
+            input.driveline.is_empty() && does(|a| matches!(a, Action::ClutchOpen)),
+        ),
         ("`duration = \"periodic\"`", input.duration == Some(RunLength::Periodic)),
         ("`imposed_against`", input.imposed_against.is_some() && !(imposed && moves)),
         ("`imposed`", !input.imposed.is_empty() && (!imposed || request.speed.is_some())),
@@ -302,8 +303,10 @@ fn left_out(
             request.gas && input.gas_states && found.gas_states.is_none(),
         ),
         (
-            "`axial_inertia` of the rods",
-            moves && engine.cylinders.iter().any(|own| own.rod.axial_inertia != 0.0),
+            "`axial_inertia` of the rods with compliant joints",
+            moves
+                && found.joints != EngineJoints::Ideal
+                && engine.cylinders.iter().any(|own| own.rod.axial_inertia != 0.0),
         ),
         ("`guidance`", input.guidance.is_some()),
         ("`tolerances`", input.tolerances != StateTolerances::default()),

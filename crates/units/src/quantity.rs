@@ -140,6 +140,8 @@ pub fn text_that(guess: f64, dimension: Dimension, fits: impl Fn(f64) -> bool) -
         Dimension::SpecificEnergy => ("MJ/kg", "J/kg"),
         Dimension::SpecificHeat => ("J/kg/K", "J/kg/K"),
         Dimension::HeatTransfer => ("W/m2/K", "W/m2/K"),
+        Dimension::ThermalConductance => ("W/K", "W/K"),
+        Dimension::HeatCapacity => ("kJ/K", "J/K"),
         Dimension::Stiffness => ("N/mm", "N/m"),
         Dimension::Damping => ("N s/m", "N s/m"),
         Dimension::PressurePerSpeed => ("bar s/m", "Pa s/m"),

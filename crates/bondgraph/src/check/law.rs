@@ -3,7 +3,7 @@
 use super::Checker;
 use crate::description::Text;
 use crate::expression::{Id, Parsed, Var, parse};
-use crate::graph::{Kind, Law, StorePort};
+use crate::graph::{Element, Kind, Law, StorePort};
 use crate::unit::Unit;
 use std::collections::HashMap;
 
@@ -393,7 +393,35 @@ impl Checker<'_> {
             let start = [start_q.unwrap_or(0.0), start_p.unwrap_or(0.0)];
             ports.push(StorePort { effort, flow, inverse: None, gain: None, start });
         }
+        self.positive_inertia(&element, &ports, text);
         Some(Law::Store(ports))
+    }
+
+    /// Notes a momentum whose flow falls as it rises, at the start: no inertia is negative. (A spring may be, about an unstable place.)
+    fn positive_inertia(&mut self, element: &Element, ports: &[StorePort], text: &Text) {
+        for (port, law) in ports.iter().enumerate() {
+            let Some(flow) = law.flow else { continue };
+            let momentum = Var::Momentum(element.ports[port] as u32);
+            let slope = self.pool.derivative(flow, momentum, &mut HashMap::new());
+            let start = |bond: u32, which: usize| {
+                let port = element.ports.iter().position(|own| *own as u32 == bond);
+                port.map_or(f64::NAN, |port| ports[port].start[which])
+            };
+            let value = self.pool.evaluate(slope, &|var| match var {
+                Var::Parameter(index) => self.parameters[index as usize].value,
+                Var::Displacement(bond) => start(bond, 0),
+                Var::Momentum(bond) => start(bond, 1),
+                _ => f64::NAN,
+            });
+            if value < 0.0 {
+                let message = format!(
+                    "the flow of port {} of `{}` falls as its momentum rises: an inertia must be positive",
+                    port + 1,
+                    element.name
+                );
+                self.mistakes.push("E1712", &text.span, message, "check the signs of the energy");
+            }
+        }
     }
 
     /// A field of inertias by its co-energy: momenta are derivatives by the flows, so every port follows.

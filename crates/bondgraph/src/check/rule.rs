@@ -15,7 +15,7 @@ impl Checker<'_> {
             let set: Vec<_> =
                 event.set.iter().filter_map(|(state, value)| self.setting(state, value)).collect();
             if let Some(when) = when {
-                rules.push(Rule { when: when.id, set, span: event.when.span.clone() });
+                rules.push(Rule { when: when.id, set, stop: event.stop, span: event.when.span.clone() });
             }
         }
         rules

@@ -7,7 +7,7 @@
 //! 1/2 m |V + R c'|^2 = 1/2 m |c'|^2 + m (1/2 |V|^2 + V . R c')         V = v + R (Omega x c)
 //! lower joint     d/dt (G - share d - K)                  K: crankpin, or knuckle pin on the master rod
 //! piston pin      d/dt (G + (1 - share) d - Q)            Q: pin on the piston
-//! skirt           d/dt (across + b sin(tilt))             b = +-1/2 of the distance between its contacts
+//! skirt           d/dt (across + b sin(tilt))             b = middle of its contacts from the pin, +-1/2 of their distance
 //! ```
 //! | symbol | name                                                   | unit |
 //! |--------|--------------------------------------------------------|------|
@@ -368,9 +368,11 @@ impl Builder<'_> {
     fn skirt(&mut self, index: usize, joints: &CompliantJoints) {
         let k = index + 1;
         let half = 0.5 * joints.contact_distance(self.engine, index);
-        let lever =
-            |sign: f64| combination(&[(sign, &format!("{}*cos(tilt_angle{k})", quantity(half, "m")))]);
-        let rows = [vec!["1".to_owned(), lever(1.0)], vec!["1".to_owned(), lever(-1.0)]];
+        let lever = |place: f64| {
+            let size = format!("{}*cos(tilt_angle{k})", quantity(place.abs(), "m"));
+            if place == 0.0 { "0".to_owned() } else { combination(&[(place.signum(), &size)]) }
+        };
+        let rows = [1.0, -1.0].map(|side| vec!["1".to_owned(), lever(joints.skirt_offset + side * half)]);
         let [_, across, tilt] = piston_junctions(k);
         let name = format!("contact{k}");
         let first = self.motion(&format!("{name}_motion"), &[across, tilt], &rows);

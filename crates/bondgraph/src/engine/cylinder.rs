@@ -2,6 +2,7 @@
 
 use super::Builder;
 use super::body::Arm;
+use super::changes::motored;
 use super::joints::EngineJoints;
 use super::request::EngineBlock;
 use super::words::{combination, direction, number, quantity};
@@ -162,6 +163,7 @@ impl Builder<'_> {
                 self.element(&store, "I", &[("inertia", &inertia), ("domain", "translation")]);
                 self.bond(&format!("{name}_motion.{}", first + port), &store);
             }
+            self.axial_turn(index);
             return;
         }
         let rate = format!("(dx{k}*dy_rate{k} - dy{k}*dx_rate{k})/{l}^2");
@@ -172,6 +174,42 @@ impl Builder<'_> {
         let first = self.follower(&format!("{name}_motion"), &[row]);
         self.element(&name, "I", &[("inertia", &inertia), ("domain", "rotation")]);
         self.bond(&format!("{name}_motion.{first}"), &name);
+    }
+
+    /// In space: the turn of a rod about its own line. That line turns with the rod, which Euler's gyrator accounts for.
+    ///
+    /// ```text
+    /// moment on the rod = p' d + p (omega x d) = p' d + p (omega_z n - omega_n z)       p = I (omega . d), n = z x d
+    /// ```
+    fn axial_turn(&mut self, index: usize) {
+        let axial = self.engine.cylinders[index].rod.axial_inertia;
+        if axial == 0.0 {
+            return;
+        }
+        let k = index + 1;
+        let l = self.own("l", index);
+        let (along, across) = (format!("dx{k}/{l}"), format!("dy{k}/{l}"));
+        let rate = format!("(dx{k}*dy_rate{k} - dy{k}*dx_rate{k})/{l}^2");
+        let row = |[x, y, z, crank]: [&str; 4]| ["0", "0", "0", x, y, z, crank].map(str::to_owned).to_vec();
+        let rows = [
+            row([&along, &across, "0", "0"]),
+            row([&format!("-{across}"), &along, "0", "0"]),
+            row(["0", "0", "1", &rate]),
+        ];
+        let [motion, store, normal, about, gyro] =
+            ["rod_axis_motion", "rod_axis", "rod_normal", "rod_about", "rod_gyro"]
+                .map(|name| format!("{name}{k}"));
+        let first = self.follower(&motion, &rows);
+        let inertia = quantity(axial, "kg m2");
+        self.element(&store, "I", &[("inertia", &inertia), ("domain", "rotation")]);
+        self.element(&normal, "1", &[("domain", "rotation")]);
+        self.element(&about, "1", &[("domain", "rotation")]);
+        self.element(&gyro, "MGY", &[("ratio", &format!("{store}.momentum"))]);
+        for (port, to) in [&store, &normal, &about].into_iter().enumerate() {
+            self.bond(&format!("{motion}.{}", first + port), to);
+        }
+        self.bond(&normal, &format!("{gyro}.1"));
+        self.bond(&format!("{gyro}.2"), &about);
     }
 
     /// Whether something acts along the cylinder.
@@ -213,8 +251,19 @@ impl Builder<'_> {
         }
         if let Some(curve) = gas {
             let table = format!("gauge_pressure{k}");
+            let fired = self.fired(index);
+            let without = fired.as_ref().and_then(|_| motored(&curve));
             self.graph.tables.push((table.as_str().into(), curve));
-            self.signal(&format!("p{k}"), &format!("table({table}, psi{k})"));
+            let pressure = match (fired, without) {
+                (Some(fired), Some(without)) => {
+                    let other = format!("motored_pressure{k}");
+                    self.graph.tables.push((other.as_str().into(), without));
+                    self.signal(&format!("motored{k}"), &format!("table({other}, psi{k})"));
+                    format!("motored{k} + {fired}*(table({table}, psi{k}) - motored{k})")
+                }
+                _ => format!("table({table}, psi{k})"),
+            };
+            self.signal(&format!("p{k}"), &pressure);
             let force = format!("-{}*p{k}", self.own("area", index));
             let name = format!("gas{k}");
             self.element(&name, "MSe", &[("effort", &force)]);

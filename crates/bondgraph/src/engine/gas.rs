@@ -36,12 +36,12 @@ impl Builder<'_> {
             self.wall_temperatures(law);
         }
         if let Some(walls) = gas.walls {
-            let start = quantity(walls.ambient, "K");
+            let (start, ambient) = (quantity(walls.start, "K"), quantity(walls.ambient, "K"));
             self.element("body", "0", &[("domain", "heat")]);
-            let keys = [("capacitance", quantity(walls.body_capacity, "J/K")), ("effort", start.clone())];
+            let keys = [("capacitance", quantity(walls.body_capacity, "J/K")), ("effort", start)];
             self.element("body_heat", "C", &[(keys[0].0, &keys[0].1), (keys[1].0, &keys[1].1)]);
             self.element("ambient", "0", &[("domain", "heat")]);
-            self.element("ambient_state", "Se", &[("effort", &start)]);
+            self.element("ambient_state", "Se", &[("effort", &ambient)]);
             self.conduction("loss", walls.body_to_ambient);
             self.bond("body", "body_heat");
             self.bond("ambient_state", "ambient");
@@ -99,7 +99,8 @@ impl Builder<'_> {
             } else {
                 format!("{}*crank.flow", number(self.numbers_ratio(index)))
             };
-            let burnt = format!("table({table}, psi{k})*{speed}");
+            let fired = self.fired(index).map_or(String::new(), |fired| format!("{fired}*"));
+            let burnt = format!("{fired}table({table}, psi{k})*{speed}");
             match gas.heat_per_fresh {
                 None => self.signal(&name("release_rate"), &burnt),
                 Some(heat) => {

@@ -1,6 +1,6 @@
 //! The gas of an engine file as states of a graph.
 
-use super::request::{EngineGraphError, GasStates, GasValve, WallCoefficient, WallLaw};
+use super::request::{EngineGraphError, GasStates, GasValve, GasWalls, WallCoefficient, WallLaw};
 use crate::curve::Curve;
 use crate::unit::Unit;
 use lanchester_model::{
@@ -77,11 +77,24 @@ impl GasStates {
             losses: zone
                 .walls
                 .as_ref()
+                .filter(|walls| body(walls).is_none())
                 .map(|walls| losses(walls, zone, turns).ok_or(refuse("finite factors of its walls")))
                 .transpose()?,
-            walls: None,
+            walls: zone.walls.as_ref().and_then(body),
         })
     }
+}
+
+/// The body that takes heat by a conductance; one without a temperature starts with that of the surroundings.
+fn body(walls: &Walls) -> Option<GasWalls> {
+    let WallModel::Conductance(body) = &walls.model else { return None };
+    Some(GasWalls {
+        gas_to_body: walls.factor * body.conductance,
+        body_capacity: body.capacity,
+        body_to_ambient: body.to_ambient,
+        ambient: body.ambient,
+        start: body.temperature.unwrap_or(body.ambient),
+    })
 }
 
 /// Heat of a kilogram of fresh air with its fuel [J/kg]: what has no air does not burn.
@@ -110,6 +123,7 @@ fn closing(zone: &SingleZone) -> f64 {
 /// Walls of the file; Woschni's factors are steps over the angle.
 fn losses(walls: &Walls, zone: &SingleZone, turns: f64) -> Option<WallLaw> {
     let coefficient = match &walls.model {
+        WallModel::Conductance(_) => return None,
         WallModel::Hohenberg => WallCoefficient::Hohenberg,
         WallModel::Constant { coefficient } => {
             WallCoefficient::Given(steps(&[(0.0, *coefficient)], turns, COEFFICIENT)?)

@@ -240,10 +240,11 @@ impl Builder<'_> {
         let pin_offset = cylinder.net_offset() - cylinder.offset;
         let apart = joints.contact_distance(engine, index);
         // Both contacts: their sum is the wall's force, their moment that of the pin's force about the piston's centre.
-        let couple = 2.0 * pin_offset * forces.pin[0] / apart;
+        let middle = joints.skirt_offset;
+        let couple = 2.0 * (pin_offset * forces.pin[0] - middle * forces.wall) / apart;
         let contacts = [1.0, -1.0].map(|side| -0.5 * (forces.wall + side * couple) / joints.skirt_stiffness);
         let tilt = ((contacts[0] - contacts[1]) / apart).clamp(-1.0, 1.0).asin();
-        let across = cylinder.offset + 0.5 * (contacts[0] + contacts[1]);
+        let across = cylinder.offset + 0.5 * (contacts[0] + contacts[1]) - middle * tilt.sin();
         let lower = forces.lower.map(|force| -force / joints.stiffness);
         let pin = forces.pin.map(|force| force / joints.stiffness);
         let joint = match cylinder.rod.joint {

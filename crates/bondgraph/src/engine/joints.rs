@@ -27,6 +27,8 @@ pub struct CompliantJoints {
     pub damping_ratio: f64,
     /// Distance between the two contacts along the cylinder [m]; `None`: 0.8 of the bore, or of the stroke where no bore is known.
     pub skirt_length: Option<f64>,
+    /// From the piston's centre at its pin to the middle between both contacts, along the cylinder away from the crank [m]: the wall's force tilts the piston about it.
+    pub skirt_offset: f64,
     /// Mass of each crankshaft [kg] and z of its centre [m]; where it is `None` the main bearings are rigid.
     pub crankshafts: Vec<Option<[f64; 2]>>,
 }
@@ -38,6 +40,7 @@ impl Default for CompliantJoints {
             skirt_stiffness: 5e7,
             damping_ratio: 0.2,
             skirt_length: None,
+            skirt_offset: 0.0,
             crankshafts: Vec::new(),
         }
     }
@@ -71,6 +74,9 @@ impl CompliantJoints {
         }
         if self.skirt_length.is_some_and(|length| !positive(length)) {
             return Some("a skirt length above 0");
+        }
+        if !self.skirt_offset.is_finite() {
+            return Some("a place of its skirt contacts that is a number");
         }
         self.crankshafts
             .iter()

@@ -169,9 +169,10 @@ impl Numbers {
         let at = [0, 1].map(|k| linkage.lower_pin[k] + share * rod[k]);
         let along = rod.map(|component| component / cylinder.rod.length);
         let inertia = own.rod_inertia;
+        let less = inertia - cylinder.rod.axial_inertia;
         let tensor = [
-            [inertia * (1.0 - along[0] * along[0]), -inertia * along[0] * along[1], 0.0],
-            [-inertia * along[0] * along[1], inertia * (1.0 - along[1] * along[1]), 0.0],
+            [inertia - less * along[0] * along[0], -less * along[0] * along[1], 0.0],
+            [-less * along[0] * along[1], inertia - less * along[1] * along[1], 0.0],
             [0.0, 0.0, inertia],
         ];
         moments.add(cylinder.rod.mass(), [shaft.x + at[0], shaft.y + at[1], cylinder.z], tensor, weight);

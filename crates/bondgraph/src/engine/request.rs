@@ -2,6 +2,7 @@
 
 use super::joints::EngineJoints;
 use crate::curve::Curve;
+use lanchester_model::{Event, Governor, LoadLaw};
 use serde::Serialize;
 
 /// What the graph of an engine holds beside its crank train.
@@ -44,6 +45,10 @@ pub struct EngineRequest {
     pub driveline: Vec<EngineLink>,
     /// What starts the engine.
     pub starter: Option<EngineStarter>,
+    /// What holds the speed by a factor on the fired part of the gas; without gas it has nothing to act on.
+    pub governor: Option<Governor>,
+    /// What happens on the way.
+    pub events: Vec<Event>,
     /// Torque from the ground on crankshaft 1 over its angle: order, factors of sine and cosine [N m].
     pub torque: Vec<[f64; 3]>,
     /// Time [s] and imposed speed [rad/s], straight between; fewer than two: `speed`.
@@ -79,6 +84,8 @@ impl EngineRequest {
             load: EngineLoad { torque: LoadTorque::None, reacts_on_block: false },
             driveline: Vec::new(),
             starter: None,
+            governor: None,
+            events: Vec::new(),
             torque: Vec::new(),
             profile: Vec::new(),
             against_ground: false,
@@ -220,8 +227,10 @@ pub struct GasWalls {
     pub body_capacity: f64,
     /// Conductance from the body to the surroundings [W/K].
     pub body_to_ambient: f64,
-    /// Temperature of the surroundings, and of the body at the start [K].
+    /// Temperature of the surroundings [K].
     pub ambient: f64,
+    /// Temperature of the body at the start [K].
+    pub start: f64,
 }
 
 /// What takes the power.
@@ -261,6 +270,24 @@ pub enum LoadTorque {
         /// Angles and torques.
         points: Vec<[f64; 2]>,
     },
+}
+
+impl From<&LoadLaw> for LoadTorque {
+    fn from(law: &LoadLaw) -> LoadTorque {
+        match law {
+            LoadLaw::None => LoadTorque::None,
+            LoadLaw::Constant(torque) => LoadTorque::Constant(*torque),
+            LoadLaw::Viscous { torque, at } => LoadTorque::Viscous(torque / at),
+            LoadLaw::Quadratic { torque, at } => LoadTorque::Quadratic(torque / (at * at)),
+            LoadLaw::Power { power, least_speed } => {
+                LoadTorque::Power { power: *power, least_speed: *least_speed }
+            }
+            LoadLaw::Table(points) => LoadTorque::Speed(points.clone()),
+            LoadLaw::Angle { period, points } => {
+                LoadTorque::Angle { period: *period, points: points.clone() }
+            }
+        }
+    }
 }
 
 impl LoadTorque {

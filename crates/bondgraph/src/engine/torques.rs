@@ -120,7 +120,13 @@ impl Builder<'_> {
             self.bond(&before, &format!("{gear}.1"));
             self.bond(&format!("{gear}.2"), &coupling);
             self.bond(&coupling, &own);
-            self.bond(&coupling, &twisting);
+            if k == 1 && self.changing.has("clutch_closed") {
+                self.element("clutch", "MTF", &[("ratio", "clutch_closed")]);
+                self.bond(&coupling, "clutch.1");
+                self.bond("clutch.2", &twisting);
+            } else {
+                self.bond(&coupling, &twisting);
+            }
             if link.stiffness != 0.0 {
                 let spring = format!("link{k}_spring");
                 let keys = [
@@ -148,7 +154,9 @@ impl Builder<'_> {
     fn load(&mut self, [own, absolute, angle]: &[String; 3]) {
         let load = self.request.load.clone();
         let place = if load.reacts_on_block { own } else { absolute };
+        let changes = self.changing.has("load_share");
         let law = match &load.torque {
+            LoadTorque::None if changes => "load_torque*sign(f)".to_owned(),
             LoadTorque::None => return,
             LoadTorque::Constant(torque) => format!("{}*sign(f)", quantity(*torque, "N m")),
             LoadTorque::Viscous(factor) => format!("{}*f", quantity(*factor, "N m s")),
@@ -158,12 +166,13 @@ impl Builder<'_> {
                 format!("{}/max(abs(f), {least})*sign(f)", quantity(*power, "W"))
             }
             LoadTorque::Speed(points) => match points.as_slice() {
+                [] if changes => "0 N m*sign(f)".to_owned(),
                 [] => return,
                 [[_, torque]] => format!("{}*sign(f)", quantity(*torque, "N m")),
                 points => {
                     let Some(curve) = Curve::straight(points, false, [SPEED, TORQUE]) else { return };
-                    self.graph.tables.push(("load_torque".into(), curve));
-                    "table(load_torque, abs(f))*sign(f)".to_owned()
+                    self.graph.tables.push(("load_over_speed".into(), curve));
+                    "table(load_over_speed, abs(f))*sign(f)".to_owned()
                 }
             },
             LoadTorque::Angle { period, points } => {
@@ -171,11 +180,24 @@ impl Builder<'_> {
                 let mut points = points.clone();
                 points.push([first[0] + period, first[1]]);
                 let Some(curve) = Curve::straight(&points, true, [Unit::NONE, TORQUE]) else { return };
-                self.graph.tables.push(("load_torque".into(), curve));
-                self.element("load", "MSe", &[("effort", &format!("-table(load_torque, {angle})"))]);
+                self.graph.tables.push(("load_over_angle".into(), curve));
+                let share = if changes { "-load_share*" } else { "-" };
+                self.element(
+                    "load",
+                    "MSe",
+                    &[("effort", &format!("{share}table(load_over_angle, {angle})"))],
+                );
                 self.bond("load", place);
+                if changes {
+                    self.element("load_given", "R", &[("effort", "load_torque*sign(f)")]);
+                    self.bond(place, "load_given");
+                }
                 return;
             }
+        };
+        let law = match (&load.torque, changes) {
+            (LoadTorque::None, _) | (_, false) => law,
+            _ => format!("load_share*{law} + load_torque*sign(f)"),
         };
         self.element("load", "R", &[("effort", &law)]);
         self.bond(place, "load");

@@ -159,6 +159,9 @@ pub fn modelica(equations: &Equations) -> String {
         for (state, value) in &rule.set {
             let _ = writeln!(body, "    reinit({}, {});", var(*state), law(*value));
         }
+        if rule.stop {
+            let _ = writeln!(body, "    terminate(\"stopped by an event\");");
+        }
         let _ = writeln!(body, "  end when;");
     }
     let _ = writeln!(body, "end {};", model_name(&graph.name));

@@ -55,7 +55,7 @@ impl Group {
             (text[end..].is_empty() || text[end..].starts_with('_')).then(|| text[..end].parse().ok())?
         };
         let numbered = |stem: &str| name.strip_prefix(stem).and_then(digits);
-        const OF_CYLINDERS: [&str; 21] = [
+        const OF_CYLINDERS: [&str; 26] = [
             "piston",
             "piston_turn",
             "crankpin",
@@ -64,6 +64,11 @@ impl Group {
             "lateral",
             "tilt",
             "rod_turn",
+            "rod_axis_motion",
+            "rod_axis",
+            "rod_normal",
+            "rod_about",
+            "rod_gyro",
             "rod",
             "slide",
             "stroke",
@@ -84,7 +89,7 @@ impl Group {
         if let Some(number) = numbered("mount") {
             return Group::Mount(number);
         }
-        if numbered("link").or(numbered("driveline")).is_some() {
+        if numbered("link").or(numbered("driveline")).is_some() || name == "clutch" {
             return Group::Driveline;
         }
         let rotor = name.split('_').next().unwrap_or(name);

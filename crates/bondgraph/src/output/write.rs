@@ -46,8 +46,13 @@ pub fn graph_file(description: &Description) -> String {
             .iter()
             .map(|(state, value)| format!("{} = {}", key(&state.text), quoted(&value.text)))
             .collect();
-        let _ =
-            writeln!(out, "\n[[event]]\nwhen = {}\nset = {{ {} }}", quoted(&event.when.text), set.join(", "));
+        let _ = writeln!(out, "\n[[event]]\nwhen = {}", quoted(&event.when.text));
+        if !set.is_empty() {
+            let _ = writeln!(out, "set = {{ {} }}", set.join(", "));
+        }
+        if event.stop {
+            out += "stop = true\n";
+        }
     }
     part(&mut out, "simulation", &description.simulation);
     out

@@ -33,6 +33,8 @@ pub(crate) struct Compiled {
     pub(crate) held: Held,
     /// Of each event of the graph: its switch, the states that it sets.
     rules: Vec<(u32, Vec<u32>)>,
+    /// Switches of events that end the simulation.
+    stops: Vec<usize>,
     /// Their new values, one event after the other.
     settings: Tape,
     /// Whether events are passed over.
@@ -95,11 +97,14 @@ impl Compiled {
             .collect();
         let mut switches = Switches::default();
         let mut set_values = Vec::new();
-        let mut rules = Vec::new();
-        for (when, set) in &equations.rules {
+        let (mut rules, mut stops) = (Vec::new(), Vec::new());
+        for ((when, set), rule) in equations.rules.iter().zip(&equations.graph.rules) {
             let when = pool.substitute(*when, &mut known, &number);
             for (_, value) in set {
                 set_values.push(pool.substitute(*value, &mut known, &number));
+            }
+            if rule.stop {
+                stops.push(switches.of(when) as usize);
             }
             rules.push((switches.of(when), set.iter().map(|(state, _)| *state).collect()));
         }
@@ -121,6 +126,7 @@ impl Compiled {
                 switch_functions: functions,
                 held: Held::new(&switches, &pool),
                 rules,
+                stops,
                 settings,
                 without_events: false,
                 following: Some(following),
@@ -166,6 +172,7 @@ impl Compiled {
             switch_functions,
             held: Held::new(&switches, &pool),
             rules,
+            stops,
             settings,
             without_events: false,
             following: None,
@@ -262,6 +269,11 @@ impl Compiled {
             }
         }
         true
+    }
+
+    /// Whether the event of a switch ends the simulation.
+    pub(crate) fn stops(&self, switch: usize) -> bool {
+        self.stops.contains(&switch)
     }
 
     /// Sets each switch by its function; where that is zero, by where it goes next. Curves are read ahead of their place.

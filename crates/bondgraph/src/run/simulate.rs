@@ -14,6 +14,9 @@ use std::ops::ControlFlow;
 /// More events than these at places that cannot be told apart mean that a condition switches to and fro.
 const CHATTER: u32 = 200;
 
+/// So many times in a row at places that cannot be told apart mean that an event comes ever faster.
+const EVER_FASTER: u32 = 3;
+
 /// Tolerances below this are met at samples by steps that end there: the interpolant would be less accurate than the steps.
 const FINE: f64 = 1e-9;
 
@@ -290,6 +293,8 @@ impl Equations {
             statistics: Statistics::default(),
         };
         let (mut next, mut at_once) = (0, 0);
+        // The last event that set states, when it came, how often at once.
+        let mut setting = (usize::MAX, f64::NEG_INFINITY, 0);
         let mut stepped = (0.0, y.clone());
         loop {
             let samples = &mut pass.samples;
@@ -329,12 +334,25 @@ impl Equations {
                     }
                     compiled.held.happen(index, rising);
                     if rising && compiled.held.is_condition(index) && compiled.happen(index, t, &mut y) {
+                        let again = setting.0 == index && t - setting.1 <= 1e-9 * request.duration;
+                        setting = (index, t, if again { setting.2 + 1 } else { 0 });
                         compiled.settle(t, &y);
                         explicit.restart();
                         implicit.restart();
                         for (most, value) in pass.largest.iter_mut().zip(&y) {
                             *most = most.max(value.abs());
                         }
+                    }
+                    if setting.2 >= EVER_FASTER {
+                        pass.ended = format!(
+                            "an event comes ever faster, and no more can be told apart at {t} s: let it end the run, or stop what bounces below a least speed"
+                        );
+                        break;
+                    }
+                    if rising && compiled.held.is_condition(index) && compiled.stops(index) {
+                        pass.complete = true;
+                        pass.ended = format!("stopped by an event at {t} s");
+                        break;
                     }
                     at_once = if t - last_time <= 1e-9 * request.duration { at_once + 1 } else { 0 };
                     if at_once > CHATTER {

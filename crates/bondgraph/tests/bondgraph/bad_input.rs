@@ -181,3 +181,38 @@ fn a_modulus_that_becomes_infinite_is_named() {
     let last = run.time.last().copied().expect("samples so far");
     assert!((0.9..1.0).contains(&last), "{last} s");
 }
+
+/// A graph of one mass with a force, with what else stands in its file.
+fn mass(law: &str, rest: &str) -> String {
+    format!(
+        "name = \"x\"\n[elements]\nj = {{ kind = \"1\", domain = \"translation\" }}\nm = {{ kind = \"I\", {law} }}\n\
+         s = {{ kind = \"Se\", effort = \"-9.8 N\" }}\n[signals]\nh = {{ integral_of = \"j.flow\", start = \"1 m\" }}\n[bonds]\nlist = [\"s > j\", \"j > m\"]\n{rest}"
+    )
+}
+
+#[test]
+fn an_energy_of_negative_inertia_is_refused() {
+    assert!(Graph::read(&mass("energy = \"p1^2/(2 kg)\"", "")).is_ok());
+    let mistakes = Graph::read(&mass("energy = \"-p1^2/(2 kg)\"", "")).expect_err("it is negative");
+    assert!(mistakes.iter().any(|mistake| mistake.code == "E1712" && mistake.line == 4), "{mistakes:#?}");
+}
+
+/// A ball that bounces ever faster ends the run with a word instead of falling through the floor; an event that ends the run is no failure.
+#[test]
+fn an_event_that_comes_ever_faster_ends_the_run() {
+    let run = |rest: &str| {
+        let graph = Graph::read(&mass("inertia = \"1 kg\"", rest)).unwrap_or_else(|e| panic!("{e:#?}"));
+        let found = equations(&graph).unwrap_or_else(|e| panic!("{e:#?}"));
+        found.simulate(&SimulationRequest { duration: 10.0, ..found.request() })
+    };
+    let bounce = "[[event]]\nwhen = \"-h\"\nset = { \"m.momentum\" = \"-0.5*m.momentum\" }\n";
+    let endless = run(bounce);
+    assert!(!endless.complete && endless.ended.contains("ever faster"), "{}", endless.ended);
+    let lowest = endless.values("h").expect("its height").iter().fold(f64::INFINITY, |l, h| l.min(*h));
+    assert!(lowest > -1e-6, "it stays on the floor: {lowest} m");
+    let stopped = run(&format!("{bounce}[[event]]\nwhen = \"t - 1 s\"\nstop = true\n"));
+    assert!(stopped.complete && stopped.ended.starts_with("stopped by an event"), "{}", stopped.ended);
+    assert!(stopped.time.iter().all(|time| *time <= 1.0 + 1e-9));
+    let mistakes = Graph::read(&mass("inertia = \"1 kg\"", "[[event]]\nwhen = \"-h\"\nstop = \"yes\"\n"));
+    assert!(mistakes.expect_err("stop is true or false").iter().any(|mistake| mistake.code == "E1702"));
+}

@@ -156,3 +156,31 @@ fn a_graph_is_used_twice() {
     let mistakes = Graph::read_with(text, &|_| Some(broken.clone())).expect_err("it cannot be read");
     assert!(mistakes.iter().any(|m| m.message.starts_with("in `spring.toml`: ")), "{mistakes:?}");
 }
+
+/// A value that names an integral which names the value: in any order, where the start gives the unit.
+#[test]
+fn signals_may_name_integrals_in_any_order() {
+    let lines = [
+        "x = { integral_of = \"push - back\", start = \"2 m\" }",
+        "push = \"-x/(1 s)\"",
+        "back = \"0.5*push + 0*x/(1 s)\"",
+    ];
+    for order in [[0, 1, 2], [1, 0, 2], [2, 1, 0], [1, 2, 0]] {
+        let signals = order.map(|index| lines[index]).join("\n");
+        let text = format!(
+            "name = \"x\"\n[elements]\nv = {{ kind = \"1\", domain = \"translation\" }}\nm = {{ kind = \"I\", inertia = \"1 kg\" }}\n\
+             s = {{ kind = \"Se\", effort = \"0 N\" }}\n[signals]\n{signals}\n[bonds]\nlist = [\"s > v\", \"v > m\"]\n"
+        );
+        let graph = lanchester_bondgraph::Graph::read(&text).unwrap_or_else(|e| panic!("{order:?}: {e:#?}"));
+        let found = lanchester_bondgraph::equations(&graph).unwrap_or_else(|e| panic!("{e:#?}"));
+        let run = found.simulate(&found.request());
+        let x = run.values("x").expect("its place");
+        let want = 2.0 * (-0.5 * run.time[x.len() - 1]).exp();
+        assert!((x[x.len() - 1] - want).abs() < 1e-8, "{order:?}");
+    }
+    let text = "name = \"x\"\n[elements]\nv = { kind = \"1\", domain = \"translation\" }\nm = { kind = \"I\", inertia = \"1 kg\" }\n\
+                s = { kind = \"Se\", effort = \"0 N\" }\n[signals]\npush = \"x/(1 s)\"\nx = { integral_of = \"push*(1 s)\", start = \"2 m\" }\n\
+                [bonds]\nlist = [\"s > v\", \"v > m\"]\n";
+    let mistakes = lanchester_bondgraph::Graph::read(text).expect_err("the integral is in m s");
+    assert!(mistakes.iter().any(|mistake| mistake.code == "E1705"), "{mistakes:#?}");
+}

@@ -167,6 +167,7 @@ fn joints(options: &EngineOptions) -> Result<EngineJoints, Failure> {
         let given = [
             ("--joint-stiffness", options.joint_stiffness.is_some()),
             ("--skirt-stiffness", options.skirt_stiffness.is_some()),
+            ("--skirt-offset", options.skirt_offset.is_some()),
             ("--joint-damping", options.joint_damping.is_some()),
         ];
         return match given.into_iter().find(|(_, is_given)| *is_given) {
@@ -182,6 +183,9 @@ fn joints(options: &EngineOptions) -> Result<EngineJoints, Failure> {
     }
     if let Some(text) = &options.skirt_stiffness {
         joints.skirt_stiffness = option::stiffness(text, "--skirt-stiffness")?;
+    }
+    if let Some(text) = &options.skirt_offset {
+        joints.skirt_offset = option::length(text, "--skirt-offset")?;
     }
     if let Some(ratio) = options.joint_damping {
         if !(0.0..=10.0).contains(&ratio) {

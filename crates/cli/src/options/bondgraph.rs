@@ -64,6 +64,9 @@ pub struct EngineOptions {
     /// Of an engine file: stiffness of each of the two contacts of a skirt of compliant joints; default: "50000 N/mm".
     #[arg(long, value_name = "STIFFNESS")]
     pub skirt_stiffness: Option<String>,
+    /// Of an engine file: from the piston pin to the middle between both contacts of a skirt of compliant joints, positive towards the crown; default: "0 mm".
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
+    pub skirt_offset: Option<String>,
     /// Of an engine file: damping ratio of compliant joints, 0 to 10; default: 0.2.
     #[arg(long, value_name = "RATIO")]
     pub joint_damping: Option<f64>,

@@ -30,7 +30,7 @@ pub(crate) enum Phase {
 ///             gas exchange C_1 = 6.18, C_2 = 0; compression 2.28, 0; from the start of the heat release 2.28, 3.24e-3 m/(s K)
 /// Hohenberg   h = 130 V^-0.06 p^0.8 T^-0.4 (S_p + 1.4)^0.8       p [bar]                              (28.17)
 /// ```
-/// A coefficient that the file gives stands for that of (28.16) or (28.17).
+/// A coefficient that the file gives stands for that of (28.16) or (28.17). A conductance stands for all of it: `Q = factor G (T - T_b)`.
 ///
 /// `S_p` is the mean piston speed, `p_m = p_r (V_r/V)^gamma` the pressure without heat release from the reference state at
 /// closing. Sources: [Woschni1967], [Heywood1988] sec. 12.4.3; [Hohenberg1979].
@@ -54,6 +54,7 @@ impl WallLosses<'_> {
         let speed = self.mean_piston_speed;
         let coefficient = match &self.walls.model {
             WallModel::Constant { coefficient } => *coefficient,
+            WallModel::Conductance(_) => 0.0,
             WallModel::Table { angles, coefficients } => {
                 between(angles, coefficients, psi, self.volume.cycle())
             }
@@ -91,6 +92,11 @@ impl WallLosses<'_> {
     /// Heat flow [W] at the angle `psi` [rad].
     pub(crate) fn flow(&self, [pressure, temperature]: [f64; 2], volume: f64, psi: f64, phase: Phase) -> f64 {
         let walls = self.walls;
+        if let WallModel::Conductance(body) = &walls.model {
+            return walls.factor
+                * body.conductance
+                * (temperature - body.temperature.unwrap_or(body.ambient));
+        }
         let areas = [
             (walls.piston_area * self.volume.area(), walls.piston_temperature),
             (walls.head_area * self.volume.head_area(), walls.head_temperature),

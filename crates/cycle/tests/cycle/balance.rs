@@ -18,6 +18,8 @@ const REST: &str = "[gas]\ncompression_ratio = 10.5\n[gas.cycle]\ntype = \"singl
     [gas.fuel]\nequivalence_ratio = 0.98\nefficiency = \"97 %\"\n[gas.heat_release]\nstart = \"-18 deg\"\nduration = \"60 deg\"\n";
 
 const CONSTANT: &str = "[gas.walls]\nmodel = \"constant\"\ncoefficient = \"600 W/m2/K\"\n";
+const CONDUCTANCE: &str = "[gas.walls]\nmodel = \"conductance\"\nconductance = \"2 W/K\"\nbody_capacity = \"30 kJ/K\"\nbody_to_ambient = \"20 W/K\"\n\
+    body_temperature = \"380 K\"\nfactor = 1.5\n";
 const TABLE: &str = "[gas.walls]\nmodel = \"table\"\nangles = [\"-180 deg\", \"-20 deg\", \"15 deg\", \"140 deg\", \"400 deg\"]\n\
     coefficients = [\"150 W/m2/K\", \"700 W/m2/K\", \"1600 W/m2/K\", \"400 W/m2/K\", \"250 W/m2/K\"]\n";
 
@@ -84,6 +86,7 @@ fn coefficient(model: &WallModel, psi: f64) -> f64 {
         [(-180.0, 150.0), (-20.0, 700.0), (15.0, 1600.0), (140.0, 400.0), (400.0, 250.0), (540.0, 150.0)];
     match model {
         WallModel::Constant { .. } => 600.0,
+        WallModel::Conductance(_) => 0.0,
         _ => {
             let at = (psi.to_degrees() + 180.0).rem_euclid(720.0) - 180.0;
             let pair = points.windows(2).find(|pair| at >= pair[0].0 && at <= pair[1].0).expect("all angles");
@@ -94,7 +97,7 @@ fn coefficient(model: &WallModel, psi: f64) -> f64 {
 
 #[test]
 fn the_returned_curves_close_the_balances_of_mass_and_energy() {
-    for walls in [CONSTANT, TABLE] {
+    for walls in [CONSTANT, TABLE, CONDUCTANCE] {
         let engine = engine(4, "0 mm", &format!("{REST}{walls}"));
         let model = &zone_of(&engine).walls.as_ref().expect("walls").model;
         let cycle = run(&engine);
@@ -103,6 +106,9 @@ fn the_returned_curves_close_the_balances_of_mass_and_energy() {
         assert!(cycle.balance.energy_share < 1e-8 && cycle.balance.mass_share < 1e-8, "{:?}", cycle.balance);
         let bore = 0.25 * PI * BORE * BORE;
         let to_walls = |psi: f64, temperature: f64| {
+            if matches!(model, WallModel::Conductance(_)) {
+                return 1.5 * 2.0 * (temperature - 380.0) / SPEED;
+            }
             let area = 2.1 * bore + PI * BORE * depth(psi)[0];
             coefficient(model, psi) * area * (temperature - WALL) / SPEED
         };

@@ -153,6 +153,7 @@ impl File {
             WallModel::Hohenberg => "hohenberg",
             WallModel::Constant { .. } => "constant",
             WallModel::Table { .. } => "table",
+            WallModel::Conductance(_) => "conductance",
         };
         self.entry("model", &quoted(model));
         match &walls.model {
@@ -163,6 +164,17 @@ impl File {
             WallModel::Table { angles, coefficients } => {
                 self.entry("angles", &list(angles, Dimension::Angle));
                 self.entry("coefficients", &list(coefficients, Dimension::HeatTransfer));
+            }
+            WallModel::Conductance(body) => {
+                self.entry("conductance", &quantity(body.conductance, Dimension::ThermalConductance));
+                self.entry("body_capacity", &quantity(body.capacity, Dimension::HeatCapacity));
+                self.entry("body_to_ambient", &quantity(body.to_ambient, Dimension::ThermalConductance));
+                self.entry("ambient_temperature", &quantity(body.ambient, Dimension::Temperature));
+                if let Some(temperature) = body.temperature {
+                    self.entry("body_temperature", &quantity(temperature, Dimension::Temperature));
+                }
+                self.entry("factor", &format!("{:?}", walls.factor));
+                return;
             }
         }
         self.entry("factor", &format!("{:?}", walls.factor));

@@ -86,6 +86,7 @@ pub fn cycle_results(engine: &Engine, gas: &GasReport) -> Result<Vec<CycleResult
                     trapping_efficiency: zone.trapping_efficiency,
                     wall_heat: zone.passed.wall_heat,
                     wall_heat_share: (zone.heat > 0.0).then(|| zone.passed.wall_heat / zone.heat),
+                    body_temperature: gas.body_temperature,
                     energy_residual: zone.balance.energy,
                     energy_residual_share: zone.balance.energy_share,
                     mass_residual: zone.balance.mass,

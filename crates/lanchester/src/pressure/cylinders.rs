@@ -7,7 +7,9 @@ use lanchester_cycle::{
     single_zone,
 };
 use lanchester_mechanism::CylinderGas;
-use lanchester_model::{CrankcasePressure, Engine, Gas, GasCycle, GasProcess, GasSource, PressureTrace};
+use lanchester_model::{
+    CrankcasePressure, Engine, Gas, GasCycle, GasProcess, GasSource, PressureTrace, WallBody, WallModel,
+};
 use lanchester_results::PeriodicCurve;
 use serde::Serialize;
 
@@ -31,6 +33,8 @@ pub struct GasReport {
     pub indicated: Vec<Indicated>,
     /// The cycles behind the pressures, where they are computed: each once, with its cylinders.
     pub cycles: Vec<ComputedCycle>,
+    /// Temperature of the body that takes heat by a conductance [K]: that of the file, else the one at which it settles at this speed.
+    pub body_temperature: Option<f64>,
     /// What the user should know.
     pub warnings: Vec<String>,
 }
@@ -100,6 +104,7 @@ pub fn cylinder_gas(engine: &Engine, traces: &[TraceFile], speed: f64) -> Result
     }
     let volumes = CylinderVolume::of_engine(engine, gas.compression_ratio())?;
     let mut warnings = Vec::new();
+    let mut body_temperature = None;
     let (source, pressures, cycles) = match &gas.source {
         GasSource::Traces { traces: named, .. } => {
             let measured = measured::pressures(named, traces, gas, &volumes, speed, TracePlace::Cylinder)?;
@@ -109,7 +114,8 @@ pub fn cylinder_gas(engine: &Engine, traces: &[TraceFile], speed: f64) -> Result
             (format!("measured: {}", files.join(", ")), curves, Vec::new())
         }
         GasSource::Cycle(cycle) => {
-            let cycles = computed(cycle, &volumes, speed, &mut warnings)?;
+            let (cycles, body) = with_settled_body(cycle, &volumes, speed, &mut warnings)?;
+            body_temperature = body;
             let of = |number: usize| cycles.iter().find(|cycle| cycle.cylinders.contains(&number));
             let pressures =
                 (1..=volumes.len()).filter_map(|number| Some(of(number)?.cycle.pressure().clone())).collect();
@@ -138,6 +144,7 @@ pub fn cylinder_gas(engine: &Engine, traces: &[TraceFile], speed: f64) -> Result
             .collect(),
         firing_angles: volumes.iter().map(CylinderVolume::firing_angle).collect(),
         cycles,
+        body_temperature,
         warnings,
     })
 }
@@ -149,6 +156,70 @@ fn name_of(process: &GasProcess) -> &'static str {
         GasProcess::Seiliger { .. } => "computed: Seiliger cycle",
         GasProcess::SingleZone(_) => "computed: single zone",
     }
+}
+
+/// Changes of the body's temperature until it settles, at most; each divides the rest by some ten at least.
+const MOST_BODIES: usize = 40;
+
+/// Heat that stays in the body, of what comes, where it has settled: cycles repeat themselves to 1e-7.
+const SETTLED: f64 = 1e-6;
+
+/// The cycles, and the temperature of the body that takes heat by a conductance: where the file gives none, the one at which as much
+/// heat leaves it as comes from all cylinders, by secants.
+fn with_settled_body(
+    cycle: &GasCycle,
+    volumes: &[CylinderVolume],
+    speed: f64,
+    warnings: &mut Vec<String>,
+) -> Result<(Vec<ComputedCycle>, Option<f64>), GasError> {
+    let body = match &cycle.process {
+        GasProcess::SingleZone(zone) => zone.walls.as_ref().and_then(|walls| match walls.model {
+            WallModel::Conductance(body) => Some(body),
+            _ => None,
+        }),
+        _ => None,
+    };
+    let Some(body) = body else { return Ok((computed(cycle, volumes, speed, warnings)?, None)) };
+    if let Some(temperature) = body.temperature {
+        return Ok((computed(cycle, volumes, speed, warnings)?, Some(temperature)));
+    }
+    let at = |temperature: f64, warnings: &mut Vec<String>| {
+        let mut warm = cycle.clone();
+        if let GasProcess::SingleZone(zone) = &mut warm.process
+            && let Some(walls) = &mut zone.walls
+        {
+            walls.model = WallModel::Conductance(WallBody { temperature: Some(temperature), ..body });
+        }
+        let cycles = computed(&warm, volumes, speed, warnings)?;
+        let heat: f64 = (cycles.iter())
+            .map(|own| match &own.cycle {
+                CylinderCycle::SingleZone(zone) => {
+                    let volume = &volumes[own.cylinders[0] - 1];
+                    let per_second = speed * volume.speed_ratio() / volume.cycle();
+                    own.cylinders.len() as f64 * zone.passed.wall_heat * per_second
+                }
+                CylinderCycle::Ideal(_) => 0.0,
+            })
+            .sum();
+        Ok::<_, GasError>((cycles, heat, heat - body.to_ambient * (temperature - body.ambient)))
+    };
+    let mut own = Vec::new();
+    let mut last = (body.ambient, at(body.ambient, &mut own)?.2);
+    let mut now = body.ambient + last.1 / (body.to_ambient + volumes.len() as f64 * body.conductance);
+    for _ in 0..MOST_BODIES {
+        own.clear();
+        let (cycles, heat, rest) = at(now, &mut own)?;
+        let slope = (rest - last.1) / (now - last.0);
+        if rest.abs() <= SETTLED * heat.abs() || !slope.is_finite() || slope == 0.0 {
+            warnings.extend(own);
+            return Ok((cycles, Some(now)));
+        }
+        last = (now, rest);
+        now -= rest / slope;
+    }
+    warnings.extend(own);
+    warnings.push(format!("the temperature of the body does not settle: it is taken as {:.1} K", last.0));
+    Ok((at(last.0, &mut Vec::new())?.0, Some(last.0)))
 }
 
 /// The cycle of every kind of cylinder.

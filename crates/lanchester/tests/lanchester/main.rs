@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 mod bearing_films;
+mod bond_graph_changes;
 mod bond_graph_engine;
 mod bond_graph_joints;
 mod chamber;

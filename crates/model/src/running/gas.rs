@@ -298,4 +298,27 @@ pub enum WallModel {
         /// Heat transfer coefficients [W/(m^2 K)], one an angle.
         coefficients: Vec<f64>,
     },
+    /// No coefficient and no area: a conductance from the gas of every cylinder to the body of the engine, which gives heat to the surroundings.
+    Conductance(WallBody),
+}
+
+/// The body of the engine as a store of heat that all cylinders share.
+///
+/// ```text
+/// Q_gas = G (T - T_b)        C T_b' = SUM of Q_gas - G_a (T_b - T_a)
+/// ```
+/// Source: Singh 2017, eq. 3.38.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
+pub struct WallBody {
+    /// Conductance `G` from the gas of one cylinder to the body [W/K].
+    pub conductance: f64,
+    /// Heat capacity `C` of the body [J/K].
+    pub capacity: f64,
+    /// Conductance `G_a` from the body to the surroundings [W/K].
+    pub to_ambient: f64,
+    /// Temperature `T_a` of the surroundings [K].
+    pub ambient: f64,
+    /// Temperature `T_b` of the body [K], at the start of a run in which it changes; `None`: the one at which it settles, where as much heat leaves it
+    /// as comes.
+    pub temperature: Option<f64>,
 }

@@ -311,6 +311,7 @@ pub struct Starter {
 /// e = w_0 (1 - droop u) - w      u_c = gain (e + integral INTEGRAL of e dt), held within 0 and 1
 /// lag u' = u_c(t - delay) - u    without lag: u = u_c(t - delay)
 /// ```
+/// The integral grows no more beyond the end of `u_c` towards which `e` drives it; over a hundredth there it fades out.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Governor {
     /// Speed without load [rad/s].

@@ -9,6 +9,9 @@ use super::history::History;
 use super::{Layout, Powered};
 use crate::simulation::Governor;
 
+/// Beyond its ends the command of a governor fades its integral out over this much.
+const FADES: f64 = 0.01;
+
 /// The command of `governor`, before it is held within 0 and 1, where the gas has the factor `u`; `sum`: the part that the integral gives.
 fn command(governor: &Governor, u: f64, speed: f64, sum: f64) -> f64 {
     governor.gain * (governor.speed * (1.0 - governor.droop * u) - speed) + sum
@@ -52,10 +55,11 @@ pub(crate) fn governor_now(
         true => (reaches.unwrap_or(command.clamp(0.0, 1.0)) - state[at + 1]) / governor.lag,
         false => 0.0,
     };
-    // The integral waits while the command is at its end.
+    // Beyond its end the command fades the integral out: a sharp end would switch to and fro.
     let error = governor.speed * (1.0 - governor.droop * factor) - speed;
-    let waits = (command > 1.0 && error > 0.0) || (command < 0.0 && error < 0.0);
-    let sum_rate = if waits { 0.0 } else { governor.gain * governor.integral * error };
+    let beyond = if error > 0.0 { command - 1.0 } else { -command };
+    let share = (1.0 - beyond / FADES).clamp(0.0, 1.0);
+    let sum_rate = governor.gain * governor.integral * error * share;
     GovernorNow { factor, command, rate, sum_rate }
 }
 

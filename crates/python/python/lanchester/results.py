@@ -4174,7 +4174,12 @@ class ExchangeResult(Record):
     """Gas exchange, heat to the walls and the check of the integration."""
 
     __slots__ = ()
-    _FIELDS = ("closing_angle", "converged", "cycles", "energy_residual", "energy_residual_share", "fresh_mass", "mass_residual", "mass_residual_share", "residual_share", "trapped_temperature", "trapping_efficiency", "volumetric_efficiency", "wall_heat", "wall_heat_share",)
+    _FIELDS = ("body_temperature", "closing_angle", "converged", "cycles", "energy_residual", "energy_residual_share", "fresh_mass", "mass_residual", "mass_residual_share", "residual_share", "trapped_temperature", "trapping_efficiency", "volumetric_efficiency", "wall_heat", "wall_heat_share",)
+
+    @property
+    def body_temperature(self) -> float | None:
+        """Temperature of the body that takes it [K]; `None` where the walls have temperatures that are given."""
+        return self._get("body_temperature")  # type: ignore[no-any-return]
 
     @property
     def closing_angle(self) -> float:

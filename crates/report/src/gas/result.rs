@@ -63,6 +63,8 @@ pub struct ExchangeResult {
     pub wall_heat: f64,
     /// The same over the heat released; `None` where it is motored.
     pub wall_heat_share: Option<f64>,
+    /// Temperature of the body that takes it [K]; `None` where the walls have temperatures that are given.
+    pub body_temperature: Option<f64>,
     /// Energy that is missing from the balance of the last cycle [J].
     pub energy_residual: f64,
     /// The same over the largest of what passes.

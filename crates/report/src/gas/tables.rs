@@ -41,6 +41,7 @@ pub fn cycle_table(cycles: &[CycleResult]) -> Table {
     row("heat to the walls, of the heat released", "%", 3, &|c| {
         c.exchange.and_then(|e| e.wall_heat_share).map(|share| 100.0 * share)
     });
+    row("temperature of the body", "K", 5, &|c| c.exchange.and_then(|e| e.body_temperature));
     row("indicated efficiency, of the energy of the fuel", "%", 4, &|c| {
         c.indicated_efficiency.map(|e| 100.0 * e)
     });

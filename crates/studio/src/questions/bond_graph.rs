@@ -5,13 +5,14 @@ use crate::asker::Asker;
 use crate::problem::Problem;
 use crate::questions::reading::{engine_file, in_utf16};
 use lanchester::bondgraph::{
-    Equation, Graph, Notation, Placed, Simulation, SimulationRequest, causality_text, equations, graph_file,
-    mathml, placed,
+    CompliantJoints, EngineBlock, EngineJoints, Equation, Graph, Notation, Placed, Simulation,
+    SimulationRequest, causality_text, equations, graph_file, mathml, placed,
 };
 use lanchester::file::Diagnostic;
 use lanchester::{BondGraphRequest, engine_bond_graph};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 
 /// Samples of a run that are shown at most.
 const MOST_SAMPLES: usize = 400;
@@ -19,7 +20,7 @@ const MOST_SAMPLES: usize = 400;
 const MOST_EVALUATIONS: u64 = 200_000;
 
 /// Graphs of the course, to start from: name and file.
-const EXAMPLES: [(&str, &str); 14] = [
+const EXAMPLES: [(&str, &str); 15] = [
     ("mass-spring-damper", include_str!("../../../../examples/bond-graphs/mass-spring-damper.toml")),
     ("dc-motor", include_str!("../../../../examples/bond-graphs/dc-motor.toml")),
     ("two-tanks", include_str!("../../../../examples/bond-graphs/two-tanks.toml")),
@@ -30,6 +31,7 @@ const EXAMPLES: [(&str, &str); 14] = [
     ("double-pendulum", include_str!("../../../../examples/bond-graphs/double-pendulum.toml")),
     ("double-pendulum-stiff", include_str!("../../../../examples/bond-graphs/double-pendulum-stiff.toml")),
     ("prismatic-pair", include_str!("../../../../examples/bond-graphs/prismatic-pair.toml")),
+    ("prismatic-pair-printed", include_str!("../../../../examples/bond-graphs/prismatic-pair-printed.toml")),
     ("hydraulic-press", include_str!("../../../../examples/bond-graphs/hydraulic-press.toml")),
     ("thermal-chain", include_str!("../../../../examples/bond-graphs/thermal-chain.toml")),
     ("torsion-chain", include_str!("../../../../examples/bond-graphs/torsion-chain.toml")),
@@ -49,6 +51,9 @@ struct GraphExample {
 struct GraphQuestion {
     /// The graph file.
     text: String,
+    /// Texts of the graphs that it uses and of the files of its tables, by the names that it has for them.
+    #[serde(default)]
+    parts: BTreeMap<String, String>,
 }
 
 /// An engine whose graph is wanted.
@@ -57,6 +62,33 @@ struct GraphQuestion {
 struct EngineGraphQuestion {
     /// The engine file.
     text: String,
+    /// How the block moves; default: in space on its mounts where the file gives them with viscous damping.
+    #[serde(default)]
+    block: Option<BlockOf>,
+    /// Whether the joints are springs and dampers instead of ideal.
+    #[serde(default)]
+    compliant: bool,
+    /// Whether the gas is states with valves and heat release; otherwise as the file says.
+    #[serde(default)]
+    gas_states: bool,
+    /// Whether the speed is imposed; otherwise as the file says.
+    #[serde(default)]
+    imposed: bool,
+    /// Whether the balance shafts are left out.
+    #[serde(default)]
+    without_shafts: bool,
+}
+
+/// How the block of an engine's graph moves.
+#[derive(Debug, Clone, Copy, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+enum BlockOf {
+    /// Not at all.
+    Fixed,
+    /// In the plane across the crank.
+    Plane,
+    /// In space.
+    Space,
 }
 
 /// The graph of an engine as a graph file.
@@ -74,6 +106,8 @@ struct GraphAnswer {
     name: String,
     /// Size of the drawing [px].
     size: [f64; 2],
+    /// Tiles of an engine's graph; none of any other.
+    tiles: Vec<GraphTile>,
     elements: Vec<GraphElement>,
     bonds: Vec<GraphBond>,
     /// The causality, step by step, in words.
@@ -90,6 +124,23 @@ struct GraphAnswer {
     ended: String,
     /// Whether it reached its end.
     complete: bool,
+}
+
+/// A tile of an engine's graph: block and crank, a cylinder, a rotor, a mount.
+#[derive(Debug, Serialize, JsonSchema)]
+struct GraphTile {
+    title: String,
+    /// Its upper left corner [px].
+    corner: [f64; 2],
+    size: [f64; 2],
+}
+
+/// What a bond to another tile leads to.
+#[derive(Debug, Serialize, JsonSchema)]
+struct GraphEnd {
+    /// Where its name stands [px].
+    at: [f64; 2],
+    name: String,
 }
 
 /// An element in its place.
@@ -114,6 +165,8 @@ struct GraphBond {
     stroke: [[f64; 2]; 2],
     follows: bool,
     free: bool,
+    /// Where it leads, if that is in another tile.
+    leads_to: Option<GraphEnd>,
     /// Units of effort and flow.
     units: [String; 2],
     /// At the samples.
@@ -168,9 +221,23 @@ pub(crate) fn questions(api: Api) -> Api {
 }
 
 fn of_engine(asker: &Asker, question: EngineGraphQuestion) -> Result<EngineGraphAnswer, Problem> {
-    let file = asker.studio.folder.with_torques(engine_file(&question.text)?)?;
+    let mut file = asker.studio.folder.with_torques(engine_file(&question.text)?)?;
+    if question.without_shafts {
+        file.engine = file.engine.without_shafts();
+    }
     let traces = asker.studio.folder.traces(&file.engine)?;
     let request = BondGraphRequest {
+        block: question.block.map(|block| match block {
+            BlockOf::Fixed => EngineBlock::Fixed,
+            BlockOf::Plane => EngineBlock::Plane,
+            BlockOf::Space => EngineBlock::Space,
+        }),
+        joints: match question.compliant {
+            true => EngineJoints::Compliant(CompliantJoints::default()),
+            false => EngineJoints::Ideal,
+        },
+        gas_as_states: question.gas_states,
+        imposed: question.imposed.then_some(true),
         simulation: file.tasks.simulation.as_deref().cloned().unwrap_or_default(),
         ..BondGraphRequest::default()
     };
@@ -179,13 +246,16 @@ fn of_engine(asker: &Asker, question: EngineGraphQuestion) -> Result<EngineGraph
 }
 
 fn look(_: &Asker, question: GraphQuestion) -> Result<GraphAnswer, Problem> {
-    answer(&question.text)
+    answer(&question.text, &question.parts)
 }
 
-fn answer(text: &str) -> Result<GraphAnswer, Problem> {
+fn answer(text: &str, parts: &BTreeMap<String, String>) -> Result<GraphAnswer, Problem> {
     let refuse = |mistakes: Vec<Diagnostic>| Problem::graph(in_utf16(text, mistakes));
-    // Other graphs are looked for among the examples alone: a page cannot read files.
+    // Other graphs and tables are those that came with the question, then the examples: a page cannot read files.
     let part = |name: &str| {
+        if let Some(text) = parts.get(name.rsplit('/').next().unwrap_or(name)) {
+            return Some(text.clone());
+        }
         let name = name.strip_suffix(".toml").unwrap_or(name);
         EXAMPLES.iter().find(|(own, _)| *own == name).map(|(_, text)| (*text).to_owned())
     };
@@ -200,10 +270,13 @@ fn answer(text: &str) -> Result<GraphAnswer, Problem> {
         Ok(linear) => (linear.poles, None),
         Err(reason) => (Vec::new(), Some(reason.in_words().join(": "))),
     };
-    let Placed { size, elements, bonds, .. } = placed(&graph, &found.causality);
+    let Placed { size, elements, bonds, tiles } = placed(&graph, &found.causality);
     Ok(GraphAnswer {
         name: run.graph.clone(),
         size,
+        tiles: (tiles.into_iter())
+            .map(|own| GraphTile { title: own.title, corner: own.corner, size: own.size })
+            .collect(),
         elements: (elements.into_iter())
             .map(|own| GraphElement { name: own.name, kind: own.kind, at: own.at, follows: own.follows })
             .collect(),
@@ -218,6 +291,7 @@ fn answer(text: &str) -> Result<GraphAnswer, Problem> {
                     stroke: own.stroke,
                     follows: own.follows,
                     free: own.free,
+                    leads_to: own.leads_to.map(|end| GraphEnd { at: end.at, name: end.name }),
                     units: [effort.0, flow.0],
                     effort: effort.1,
                     flow: flow.1,
@@ -279,7 +353,8 @@ mod tests {
     #[test]
     fn every_example_is_drawn_and_runs() {
         for (name, text) in EXAMPLES {
-            let found = answer(text).unwrap_or_else(|problem| panic!("{name}: {problem:?}"));
+            let found =
+                answer(text, &BTreeMap::new()).unwrap_or_else(|problem| panic!("{name}: {problem:?}"));
             assert!(found.complete, "{name}: {}", found.ended);
             assert!(found.bonds.iter().all(|bond| bond.power.len() == found.time.len()), "{name}");
             assert!(found.equations[0].lines.iter().all(|line| line.mathml.starts_with("<math")), "{name}");
@@ -290,19 +365,47 @@ mod tests {
     #[test]
     fn another_number_moves_the_poles() {
         let (_, text) = EXAMPLES[0];
-        let before = answer(text).expect("it is good");
+        let before = answer(text, &BTreeMap::new()).expect("it is good");
         let changed = text.replace("3 N s/m", "6 N s/m");
         assert_ne!(changed, text);
-        let after = answer(&changed).expect("it is good");
+        let after = answer(&changed, &BTreeMap::new()).expect("it is good");
         assert_eq!(before.poles.len(), 2);
         // m s^2 + R s + k: the real part is -R/2m.
         assert!((after.poles[0].real / before.poles[0].real - 2.0).abs() < 1e-9);
     }
 
+    /// Tables and graphs that came with the question are found by their names.
+    #[test]
+    fn parts_come_with_the_question() {
+        let text = "name = \"a\"\n[tables.push]\nfile = \"push.csv\"\nx_unit = \"s\"\ny_unit = \"N\"\n[[use]]\ngraph = \"parts/mass.toml\"\n\
+                    as = \"own\"\n[elements]\nhand = { kind = \"MSe\", effort = \"table(push, t)\" }\n[bonds]\nlist = [\"hand > own_v\"]\n";
+        let mass = "name = \"mass\"\n[elements]\nv = { kind = \"1\", domain = \"translation\" }\nm = { kind = \"I\", inertia = \"2 kg\" }\n\
+                    [bonds]\nlist = [\"v > m\"]\n";
+        let mut parts = BTreeMap::from([("push.csv".to_owned(), "0,0\n1,4\n".to_owned())]);
+        assert!(answer(text, &parts).is_err(), "its mass is not there");
+        parts.insert("mass.toml".to_owned(), mass.to_owned());
+        let found = answer(text, &parts).unwrap_or_else(|problem| panic!("{problem:?}"));
+        let bond = found.bonds.iter().find(|bond| bond.name == "hand").expect("its bond");
+        // 4 N/s for a second on 2 kg: t^2 m/s.
+        let last = bond.flow.len() - 1;
+        assert!((bond.flow[last] - found.time[last].powi(2)).abs() < 1e-8, "{} m/s", bond.flow[last]);
+    }
+
+    #[test]
+    fn an_engine_has_its_tiles_and_their_titles() {
+        let text = include_str!("../../../../examples/in-line-4.toml");
+        let file = engine_file(text).expect("it is valid");
+        let found =
+            engine_bond_graph(&file.engine, &[], &BondGraphRequest::default()).expect("it has a graph");
+        let found = answer(&graph_file(&found.description), &BTreeMap::new()).expect("it is good");
+        assert!(found.tiles.iter().any(|tile| tile.title == "Cylinder 4"));
+        assert!(found.bonds.iter().any(|bond| bond.leads_to.is_some()));
+    }
+
     #[test]
     fn mistakes_are_told_with_their_places() {
         let (_, text) = EXAMPLES[0];
-        let problem = answer(&text.replace("3 N s/m", "3 N")).expect_err("a wrong unit");
+        let problem = answer(&text.replace("3 N s/m", "3 N"), &BTreeMap::new()).expect_err("a wrong unit");
         assert!(problem.diagnostics.iter().any(|mistake| mistake.code == "E1705"), "{problem:?}");
     }
 }

@@ -45,6 +45,10 @@ pub enum Dimension {
     SpecificHeat,
     /// Heat transfer coefficient, in W/(m^2 K).
     HeatTransfer,
+    /// Heat flow per temperature, in W/K.
+    ThermalConductance,
+    /// Heat per temperature, in J/K.
+    HeatCapacity,
     /// Force per length, in N/m.
     Stiffness,
     /// Force per velocity, in N s/m.
@@ -71,7 +75,7 @@ pub enum Dimension {
 
 impl Dimension {
     /// All dimensions, in the order of the reference.
-    pub const ALL: [Dimension; 30] = [
+    pub const ALL: [Dimension; 32] = [
         Dimension::Length,
         Dimension::Mass,
         Dimension::Angle,
@@ -91,6 +95,8 @@ impl Dimension {
         Dimension::SpecificEnergy,
         Dimension::SpecificHeat,
         Dimension::HeatTransfer,
+        Dimension::ThermalConductance,
+        Dimension::HeatCapacity,
         Dimension::Stiffness,
         Dimension::Damping,
         Dimension::PressurePerSpeed,
@@ -126,6 +132,8 @@ impl Dimension {
             Dimension::SpecificEnergy => "an energy per mass",
             Dimension::SpecificHeat => "a specific heat",
             Dimension::HeatTransfer => "a heat transfer coefficient",
+            Dimension::ThermalConductance => "a thermal conductance",
+            Dimension::HeatCapacity => "a heat capacity",
             Dimension::Stiffness => "a stiffness",
             Dimension::Damping => "a damping coefficient",
             Dimension::PressurePerSpeed => "a pressure per speed",
@@ -184,7 +192,7 @@ const STANDARD_GRAVITY: f64 = 9.806_65;
 /// 0 degrees Celsius [K].
 const ICE_POINT: f64 = 273.15;
 
-pub(super) static UNITS: [Unit; 103] = {
+pub(super) static UNITS: [Unit; 107] = {
     use Dimension::*;
     [
         unit(Length, "mm", -3, 1.0),
@@ -258,6 +266,10 @@ pub(super) static UNITS: [Unit; 103] = {
         unit(SpecificHeat, "kJ/kg/K", 3, 1.0),
         unit(HeatTransfer, "W/m2/K", 0, 1.0),
         unit(HeatTransfer, "kW/m2/K", 3, 1.0),
+        unit(ThermalConductance, "W/K", 0, 1.0),
+        unit(ThermalConductance, "kW/K", 3, 1.0),
+        unit(HeatCapacity, "J/K", 0, 1.0),
+        unit(HeatCapacity, "kJ/K", 3, 1.0),
         unit(Stiffness, "N/mm", 3, 1.0),
         unit(Stiffness, "N/m", 0, 1.0),
         unit(Stiffness, "kN/mm", 6, 1.0),

@@ -168,7 +168,9 @@ impl<'a> Reader<'a> {
 
     fn walls(&mut self, gas: &'a Section, strokes: Strokes) -> Option<Option<Walls>> {
         let Some(section) = Self::gas_table(gas, "walls")? else { return Some(None) };
-        let model = self.wall_model(section, strokes);
+        let surroundings = Self::reservoir(gas, "intake", Some(0.0), INTAKE_TEMPERATURE)
+            .map_or(INTAKE_TEMPERATURE, |intake| intake.temperature);
+        let model = self.wall_model(section, strokes, surroundings);
         let number = |key, usual: f64| section.number(key).or(usual);
         let all = number("temperature", WALL_TEMPERATURE);
         let [piston_temperature, head_temperature, liner_temperature] =

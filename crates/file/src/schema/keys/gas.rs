@@ -5,7 +5,8 @@ use super::super::Need::{Optional, Required};
 use super::super::{Key, Kind, Table};
 use super::entry::{key, quantity};
 use lanchester_units::Dimension::{
-    Angle, Area, Energy, HeatTransfer, Length, Pressure, SpecificEnergy, SpecificHeat, Speed, Temperature,
+    Angle, Area, Energy, HeatCapacity, HeatTransfer, Length, Pressure, SpecificEnergy, SpecificHeat, Speed,
+    Temperature, ThermalConductance,
 };
 
 /// Files of traces, one a speed.
@@ -344,9 +345,9 @@ static WALLS: Table = Table {
     keys: &[
         key(
             "model",
-            Kind::Choice(&["woschni", "hohenberg", "constant", "table"]),
+            Kind::Choice(&["woschni", "hohenberg", "constant", "table", "conductance"]),
             Optional,
-            "Whose heat transfer coefficient, or given: the same at every angle, or a table over the angle; default Woschni's.",
+            "Whose heat transfer coefficient, or given: the same at every angle, or a table over the angle; or a conductance to one body, which gives heat to the surroundings; default Woschni's.",
             "\"hohenberg\"",
         ),
         quantity(
@@ -370,7 +371,48 @@ static WALLS: Table = Table {
             "`table`: heat transfer coefficients at these angles, straight between them.",
             "[\"150 W/m2/K\", \"900 W/m2/K\", \"1400 W/m2/K\"]",
         ),
-        key("factor", Kind::Number(Positive), Optional, "Factor on the coefficient; default 1.", "1.1"),
+        quantity(
+            "conductance",
+            ThermalConductance,
+            Positive,
+            "`conductance`: from the gas of one cylinder to the body of the engine.",
+            "\"1 W/K\"",
+        ),
+        quantity(
+            "body_capacity",
+            HeatCapacity,
+            Positive,
+            "`conductance`: heat capacity of the body, which all cylinders share.",
+            "\"36.8 kJ/K\"",
+        ),
+        quantity(
+            "body_to_ambient",
+            ThermalConductance,
+            Positive,
+            "`conductance`: from the body to the surroundings.",
+            "\"25 W/K\"",
+        ),
+        quantity(
+            "body_temperature",
+            Temperature,
+            Positive,
+            "`conductance`: temperature of the body, at the start of a run with gas as states; default the one at which it settles at the speed in question.",
+            "\"380 K\"",
+        ),
+        quantity(
+            "ambient_temperature",
+            Temperature,
+            Positive,
+            "`conductance`: temperature of the surroundings; default that of the intake.",
+            "\"300 K\"",
+        ),
+        key(
+            "factor",
+            Kind::Number(Positive),
+            Optional,
+            "Factor on the coefficient, or on the conductance from the gas; default 1.",
+            "1.1",
+        ),
         quantity(
             "temperature",
             Temperature,

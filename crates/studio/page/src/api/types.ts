@@ -525,6 +525,9 @@ export type BigEndClearance = {
   swept_radius: number;
 };
 
+/** How the block of an engine's graph moves. */
+export type BlockOf = "fixed" | "plane" | "space";
+
 /** The clearances of a counterweight with its web, or of a web without counterweight. */
 export type BodyClearances = {
   /** Whether it has chamfers, which count as not cut: every distance is a lower bound then. */
@@ -1511,8 +1514,18 @@ export type EngineGraphAnswer = {
 
 /** An engine whose graph is wanted. */
 export type EngineGraphQuestion = {
+  /** How the block moves; default: in space on its mounts where the file gives them with viscous damping. */
+  block: BlockOf | null;
+  /** Whether the joints are springs and dampers instead of ideal. */
+  compliant: boolean;
+  /** Whether the gas is states with valves and heat release; otherwise as the file says. */
+  gas_states: boolean;
+  /** Whether the speed is imposed; otherwise as the file says. */
+  imposed: boolean;
   /** The engine file. */
   text: string;
+  /** Whether the balance shafts are left out. */
+  without_shafts: boolean;
 };
 
 /** The engine in short. */
@@ -1597,6 +1610,8 @@ export type Evolved = {
 
 /** Gas exchange, heat to the walls and the check of the integration. */
 export type ExchangeResult = {
+  /** Temperature of the body that takes it [K]; `None` where the walls have temperatures that are given. */
+  body_temperature: number | null;
   /** Angle at which it closes [rad], negative: before firing. */
   closing_angle: number;
   /** Whether the last cycle repeats the one before it. */
@@ -2087,6 +2102,8 @@ export type GraphAnswer = {
   poles: GraphPole[];
   /** Size of the drawing [px]. */
   size: [number, number];
+  /** Tiles of an engine's graph; none of any other. */
+  tiles: GraphTile[];
   /** Samples of a run [s]. */
   time: number[];
 };
@@ -2101,6 +2118,8 @@ export type GraphBond = {
   flow: number[];
   follows: boolean;
   free: boolean;
+  /** Where it leads, if that is in another tile. */
+  leads_to: GraphEnd | null;
   /** Its ends along the half arrow [px]. */
   line: [[number, number], [number, number]];
   name: string;
@@ -2118,6 +2137,13 @@ export type GraphElement = {
   /** Whether it is a store that follows others. */
   follows: boolean;
   kind: string;
+  name: string;
+};
+
+/** What a bond to another tile leads to. */
+export type GraphEnd = {
+  /** Where its name stands [px]. */
+  at: [number, number];
   name: string;
 };
 
@@ -2141,8 +2167,18 @@ export type GraphPole = {
 
 /** A graph to look at. */
 export type GraphQuestion = {
+  /** Texts of the graphs that it uses and of the files of its tables, by the names that it has for them. */
+  parts: Record<string, string>;
   /** The graph file. */
   text: string;
+};
+
+/** A tile of an engine's graph: block and crank, a cylinder, a rotor, a mount. */
+export type GraphTile = {
+  /** Its upper left corner [px]. */
+  corner: [number, number];
+  size: [number, number];
+  title: string;
 };
 
 /** What a similar engine keeps of the original. */

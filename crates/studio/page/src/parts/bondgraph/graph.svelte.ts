@@ -7,13 +7,16 @@ class GraphFile {
   name = $state("");
   /** What was assumed for the graph of an engine. */
   notes = $state.raw<string[]>([]);
+  /** Texts of other graphs and tables that were opened beside it, by their names. */
+  parts = $state.raw<Record<string, string>>({});
   /** Place of the cursor among the samples, from 0 to 1. */
   cursor = $state(0);
 
-  open(text: string, name = "", notes: string[] = []) {
+  open(text: string, name = "", notes: string[] = [], parts: Record<string, string> = {}) {
     this.text = text;
     this.name = name;
     this.notes = notes;
+    this.parts = parts;
     this.cursor = 0;
   }
 }

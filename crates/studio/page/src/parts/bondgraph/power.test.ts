@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { WIDEST, largest, parameters, sample, width, withNumber } from "./power";
+import { WIDEST, chief, largest, parameters, sample, width, withNumber } from "./power";
 
 test("a bond with four times the power is twice as wide", () => {
   const most = largest([{ power: [1, -8] }, { power: [2] }]);
@@ -33,6 +33,14 @@ test("parameters are the numbers of their section", () => {
     { name: "k", number: 250, unit: "N/m" },
     { name: "n", number: 3, unit: "" },
   ]);
+});
+
+test("the graph file is the one that no other uses", () => {
+  const part = { name: "mass.toml", text: 'name = "mass"' };
+  const whole = { name: "whole.toml", text: '[[use]]\ngraph = "parts/mass.toml"' };
+  const table = { name: "push.csv", text: "0,0" };
+  expect(chief([table, part, whole])).toBe(whole);
+  expect(chief([table])).toBe(undefined);
 });
 
 test("one number changes and nothing else", () => {

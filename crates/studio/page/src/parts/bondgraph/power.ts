@@ -27,6 +27,13 @@ export interface Parameter {
   unit: string;
 }
 
+/** The graph file among files that were opened together: the one that no other uses. */
+export function chief<T extends { name: string; text: string }>(files: readonly T[]): T | undefined {
+  const graphs = files.filter(({ name }) => name.endsWith(".toml"));
+  const isUsed = (own: T) => graphs.some((other) => other !== own && other.text.includes(`${own.name}"`));
+  return graphs.find((own) => !isUsed(own)) ?? graphs[0];
+}
+
 const LINE = /^\s*([A-Za-z_]\w*)\s*=\s*"([-+]?[\d.]+(?:[eE][-+]?\d+)?)\s*([^"]*)"/;
 
 /** Parameters that are one number with its unit, in the order of the file. */
