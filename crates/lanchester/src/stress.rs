@@ -1,6 +1,7 @@
 //! Stress and modes of a crankshaft: its mesh from the engine file, its loads from the closed form.
 
 pub(crate) mod converge;
+pub(crate) mod cycle;
 pub(crate) mod deck;
 pub(crate) mod export;
 pub(crate) mod fatigue;
@@ -11,6 +12,7 @@ pub(crate) mod rule;
 pub(crate) mod run;
 
 pub use converge::{converged_modes, converged_stress};
+pub use cycle::{CycleRequest, CycleStage, crank_cycle};
 pub use deck::solve_deck;
 pub use export::{case_deck, case_glb, case_stl, case_vtu, modes_deck, modes_glb, modes_vtu};
 pub use fatigue::{FatigueRequest, crank_fatigue};

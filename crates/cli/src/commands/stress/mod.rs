@@ -1,5 +1,7 @@
 //! `lanchester stress`: static stress, natural modes and exports of a crankshaft.
 
+mod cycle;
+
 use crate::commands::{Opened, json, open};
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
 use crate::figures::write_figures;
@@ -33,6 +35,7 @@ pub fn run(arguments: &StressArguments, colour: bool) -> Result<u8, Failure> {
         StressCommand::Export(arguments) => export(arguments, colour),
         StressCommand::Reduce(arguments) => reduce(arguments, colour),
         StressCommand::Fatigue(arguments) => fatigue(arguments, colour),
+        StressCommand::Cycle(arguments) => cycle::cycle(arguments, colour),
         StressCommand::Rule(arguments) => rule(arguments, colour),
         StressCommand::Solve(arguments) => solve(arguments),
     }
