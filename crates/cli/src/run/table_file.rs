@@ -125,7 +125,7 @@ pub fn save(
     let mut values = vec![Values::Text(rows.iter().map(|(name, _)| name.clone()).collect())];
     values.extend((1..columns.len()).map(|k| Values::Real(rows.iter().map(|(_, row)| row[k - 1]).collect())));
     write(path, form, &columns, &[], |writer| {
-        writer.push(Rows { columns: values }).map_err(|error| cannot_write(path, error))
+        writer.push(Rows::of(values)).map_err(|error| cannot_write(path, error))
     })
 }
 

@@ -4,7 +4,7 @@ pub(crate) mod figures;
 pub(crate) mod result;
 pub(crate) mod tables;
 
-pub use figures::cycle_figures;
+pub use figures::crank_cycle_figures;
 pub use result::{
     BearingCycle, CRANK_CYCLE_VERSION, CrankCycle, CrankKind, CycleLaw, CycleRun, CycleSpeed, LeastFilm,
     MainRules,

@@ -12,7 +12,7 @@ use crate::run::table_file;
 use crate::simulation_watch::GoesOn;
 use crate::trace_files::trace_files;
 use crate::watch::is_due;
-use lanchester::report::{CrankCycle, CrankKind, CycleLaw, cycle_csv, cycle_figures, cycle_text};
+use lanchester::report::{CrankCycle, CrankKind, CycleLaw, crank_cycle_figures, cycle_csv, cycle_text};
 use lanchester::task::option;
 use lanchester::{CycleStage, crank_cycle};
 use std::cell::RefCell;
@@ -42,7 +42,7 @@ pub fn cycle(arguments: &CycleArguments, colour: bool) -> Result<u8, Failure> {
         tell(format_args!("{} written", lanchester_files::shown(path)));
     }
     if let Some(folder) = &arguments.figures {
-        write_figures(folder, &own.file, &cycle_figures(&found))?;
+        write_figures(folder, &own.file, &crank_cycle_figures(&found))?;
     }
     print(&match arguments.format {
         Format::Text => cycle_text(&found),

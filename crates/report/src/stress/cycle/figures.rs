@@ -15,7 +15,7 @@ const CIRCLE: usize = 120;
 const STYLES: usize = 6;
 
 /// All pictures.
-pub fn cycle_figures(found: &CrankCycle) -> Vec<Figure> {
+pub fn crank_cycle_figures(found: &CrankCycle) -> Vec<Figure> {
     [stress(found), orbits(found), films(found), mains(found)].into_iter().flatten().collect()
 }
 
