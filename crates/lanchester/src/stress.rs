@@ -9,7 +9,9 @@ pub(crate) mod loads;
 pub(crate) mod reduce;
 pub(crate) mod request;
 pub(crate) mod rule;
+pub(crate) mod rule_torsion;
 pub(crate) mod run;
+pub(crate) mod throws;
 
 pub use converge::{converged_modes, converged_stress};
 pub use cycle::{CycleRequest, CycleStage, crank_cycle};
@@ -21,4 +23,6 @@ pub use request::{
     GivenForce, ModesRequest, StaticRequest, StressError, StressLoad, StressMesh, StressStage, support_words,
 };
 pub use rule::{CrankRuleError, RuleRequest, crank_rule};
+pub use rule_torsion::{RuleTorsionError, crank_rule_with_torsion};
 pub use run::{crank_modes, static_stress};
+pub use throws::throw_stiffnesses;

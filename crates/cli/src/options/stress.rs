@@ -63,7 +63,7 @@ pub enum StressCommand {
     /// Strength by the formulas of IACS UR M53, throw by throw: fillets and oil bores with their safety; exit status 1 where it is below 1.15.
     #[command(
         after_help = "Examples:\n  lanchester stress rule four.toml\n  lanchester stress rule four.toml --speed '6000 rpm' --torsional-vibration '500 N m'\n  \
-                            lanchester stress rule four.toml --torsional-vibration '300 N m, 350 N m, 400 N m, 420 N m' --format csv > rule.csv\n\n\
+                            lanchester stress rule four.toml --with-torsion\n  lanchester stress rule four.toml --torsional-vibration '300 N m, 350 N m, 400 N m, 420 N m' --format csv > rule.csv\n\n\
                             Formulas after UR M53, not compared with the printed rule. Every ratio is held to the range of the formulas."
     )]
     Rule(RuleArguments),
@@ -352,6 +352,9 @@ pub struct RuleArguments {
     /// end on, parted by commas.
     #[arg(long, value_name = "TORQUE")]
     pub torsional_vibration: Option<String>,
+    /// Take the torsional vibration from the chain of `torsion` at each speed. Needs what `torsion` needs.
+    #[arg(long, conflicts_with = "torsional_vibration")]
+    pub with_torsion: bool,
     /// Leave out the gas of the file.
     #[arg(long)]
     pub inertia_only: bool,

@@ -56,7 +56,7 @@ pub enum CycleOutcome {
     Periodic,
     /// They do not within the most that are allowed: five more give the envelope.
     NotPeriodic,
-    /// A step without solution: a film has no thickness left, or a rod does not reach.
+    /// A step without solution: a film has no thickness left, or a rod does not reach. The last whole cycle stands, with fewer instants.
     Broken {
         /// Angle of crankshaft 1 [rad], from the first cycle on.
         theta: f64,
@@ -124,7 +124,7 @@ pub struct TrainCycles {
     pub orbit_change: f64,
     /// The same of loads and deformation, over their largest.
     pub stress_change: f64,
-    /// The recorded cycle, or five of them where they do not repeat; the last whole one of a run that was stopped; none where the run broke.
+    /// The recorded cycle, or five of them where they do not repeat; the last whole one of a run that was stopped or broke off, none where it had none.
     pub recorded: Vec<RecordedCycle>,
     /// Steps of all cycles, those of the recorded ones included.
     pub steps: u64,
@@ -252,6 +252,11 @@ pub fn run_cycles_watched(
         let coarse: Vec<CycleInstant> = now.instants.iter().step_by(COARSE).cloned().collect();
         found.compare(&mut runner, &before, &coarse);
         before = coarse;
+        if found.repeats(options) {
+            found.outcome = CycleOutcome::Periodic;
+            found.recorded = vec![now];
+            break;
+        }
         found.recorded.push(now);
     }
     Ok(runner.counted(found))
@@ -278,13 +283,11 @@ impl Runner<'_> {
     }
 
     fn broken(&mut self, mut found: TrainCycles) -> TrainCycles {
-        if self.stopped {
-            found.outcome = CycleOutcome::Stopped;
-            found.recorded = self.last.take().into_iter().collect();
-            return self.counted(found);
-        }
-        found.outcome = CycleOutcome::Broken { theta: self.train.motion.at(self.time).angle };
-        found.recorded.clear();
+        found.outcome = match self.stopped {
+            true => CycleOutcome::Stopped,
+            false => CycleOutcome::Broken { theta: self.train.motion.at(self.time).angle },
+        };
+        found.recorded = self.last.take().into_iter().collect();
         self.counted(found)
     }
 

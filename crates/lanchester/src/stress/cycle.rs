@@ -6,7 +6,7 @@ pub(crate) mod results;
 pub(crate) mod rules;
 pub(crate) mod train;
 
-use crate::pressure::cylinders::cylinder_gas;
+use crate::pressure::cylinders::{CylinderCycle, cylinder_gas};
 use crate::pressure::measured::TraceFile;
 use crate::stress::request::{StressError, StressMesh, StressStage};
 use crate::stress::run::{check_crankshaft, sheet};
@@ -19,7 +19,7 @@ use laws::BearingLaws;
 use results::cycle_run;
 use rules::main_rules;
 use std::f64::consts::TAU;
-use train::{Composed, bearing_places};
+use train::{Composed, bearing_places, gas_force};
 
 /// What to compute.
 #[derive(Debug, Clone, PartialEq)]
@@ -120,7 +120,8 @@ pub fn crank_cycle(
         most_cycles: request.most_cycles,
         ..CycleOptions::default()
     };
-    let composed = Composed::new(engine, gas.as_ref(), speed, loads.period, &places);
+    let force = |index: usize, theta: f64| gas_force(engine, gas.as_ref(), index, theta);
+    let composed = Composed::new(engine, &force, speed, loads.period, &places);
     let mut kinds = vec![CrankKind::Flexible];
     kinds.extend(request.rigid_crank.then_some(CrankKind::Rigid));
     let mains = places.iter().filter(|own| own.is_main()).count();
@@ -170,6 +171,12 @@ pub fn crank_cycle(
             None
         }
     };
+    if gas
+        .as_ref()
+        .is_some_and(|gas| gas.cycles.iter().any(|own| matches!(own.cycle, CylinderCycle::Ideal(_))))
+    {
+        notes.push("The pressure of an ideal cycle jumps: crankshaft and bearings ring behind it as they never do in an engine. Take a measured pressure or the single zone.".to_owned());
+    }
     notes.extend(left_out(engine, request, &sheet.crank.left_out));
     Ok(CrankCycle {
         version: CRANK_CYCLE_VERSION,

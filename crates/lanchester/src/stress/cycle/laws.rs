@@ -153,7 +153,7 @@ pub(crate) fn law_words(law: &TrainLaw) -> String {
     match law {
         TrainLaw::Rigid => "rigid".to_owned(),
         TrainLaw::Contact { clearance, stiffness, damping } => format!(
-            "contact, {:.4} um radial clearance, {} N/m, {} N s/m",
+            "contact, {:.2} um radial clearance, {} N/m, {} N s/m",
             1e6 * clearance,
             short(*stiffness),
             short(*damping)
@@ -162,7 +162,7 @@ pub(crate) fn law_words(law: &TrainLaw) -> String {
             format!("bushing, {} N/m, {} N s/m", short(stiffness[0][0]), short(damping[0][0]))
         }
         TrainLaw::Film { bearing, table, viscosity, .. } => format!(
-            "film ({}), {:.4} um radial clearance, {:.3} mPa s",
+            "film ({}), {:.2} um radial clearance, {:.3} mPa s",
             table.cavitation().name(),
             1e6 * bearing.clearance,
             1e3 * viscosity

@@ -141,13 +141,7 @@ pub(crate) struct Composed {
 }
 
 impl Composed {
-    pub fn new(
-        engine: &Engine,
-        gas: Option<&GasReport>,
-        speed: f64,
-        period: f64,
-        places: &[Bearing],
-    ) -> Composed {
+    pub fn new(engine: &Engine, gas: &GasForce<'_>, speed: f64, period: f64, places: &[Bearing]) -> Composed {
         let (mut mains, mut cylinders) = (Vec::new(), Vec::new());
         let mut shaft = 0;
         for (surface, place) in places.iter().enumerate() {
@@ -178,7 +172,7 @@ impl Composed {
                     inertia: rod.inertia.unwrap_or(points),
                 },
                 law: TrainLaw::Rigid,
-                gas: gas_force(engine, gas, index, period),
+                gas: sampled(gas, index, period),
             });
         }
         let own = &engine.crankshafts[shaft];
@@ -210,18 +204,20 @@ impl Composed {
     }
 }
 
-fn gas_force(engine: &Engine, gas: Option<&GasReport>, index: usize, period: f64) -> PeriodicForce {
-    let (Some(gas), Some(bore)) = (gas, engine.cylinders[index].bore) else {
-        return PeriodicForce::none(period);
-    };
-    let area = FRAC_PI_4 * bore * bore;
+/// Gas force [N] on the piston of a cylinder towards the crank at an angle of crankshaft 1.
+pub(crate) type GasForce<'a> = dyn Fn(usize, f64) -> f64 + 'a;
+
+/// Of the pressures of an engine.
+pub(crate) fn gas_force(engine: &Engine, gas: Option<&GasReport>, index: usize, theta: f64) -> f64 {
+    let (Some(gas), Some(bore)) = (gas, engine.cylinders[index].bore) else { return 0.0 };
     let ratio = engine.crankshafts[engine.throws[engine.cylinders[index].throw].crankshaft].ratio.value();
     let own = &gas.cylinders[index];
+    let turned = ratio.abs() * (theta - gas.firing_angles[index]);
+    FRAC_PI_4 * bore * bore * (own.cylinder.at(turned) - own.crankcase.at(turned))
+}
+
+fn sampled(gas: &GasForce<'_>, index: usize, period: f64) -> PeriodicForce {
     let count = (period.to_degrees() * GAS_SAMPLES).round() as usize;
-    let at = |k: usize| {
-        let theta = period * k as f64 / count as f64;
-        let turned = ratio.abs() * (theta - gas.firing_angles[index]);
-        area * (own.cylinder.at(turned) - own.crankcase.at(turned))
-    };
+    let at = |k: usize| gas(index, period * k as f64 / count as f64);
     PeriodicForce { period, samples: (0..count).map(at).collect() }
 }

@@ -257,7 +257,11 @@ impl CycleRun {
             CycleOutcome::Periodic => "repeats".to_owned(),
             CycleOutcome::NotPeriodic => format!("does not repeat: envelope of {} cycles", self.recorded),
             CycleOutcome::Broken { theta } => {
-                format!("broke off at {:.1} deg: a film has no thickness left", theta.to_degrees())
+                let told = if self.recorded == 0 { "" } else { "; the last whole cycle is told" };
+                format!(
+                    "broke off at {:.0} deg: a film has no thickness left, or a rod does not reach{told}",
+                    theta.to_degrees()
+                )
             }
             CycleOutcome::Stopped if self.recorded == 0 => "stopped before a whole cycle".to_owned(),
             CycleOutcome::Stopped => "stopped: the last whole cycle".to_owned(),
