@@ -4,7 +4,7 @@
 //! whole length twists less from its middle to its inner end than one with the torque in its middle; both are those of a bar:
 //!
 //! ```text
-//! 1/k = (f_2 - f_1)/T + SUM [ l - INT c(z)^2 dz ]/(G I_p)      c: part of the torque that has entered, l: from the middle to the inner end of the surface     (book, eq. 43.20)
+//! 1/k = (f_2 - f_1)/T + SUM [ l - INT c(z)^2 dz ]/(G I_p)      c: part of the torque that has entered, l: from the middle to the inner end of the surface     (book, eq. 43.16)
 //! ```
 
 use crate::FlexError;

@@ -70,7 +70,7 @@ fn beyond_rigid(found: &TorsionResult, throw: usize, rigid: [f64; 2]) -> f64 {
     let chain = &found.crank.chain;
     let Some(station) = found.crank.throws.get(throw).copied() else { return 0.0 };
     let of = |shaft: &lanchester_torsion::ShaftSweep| {
-        let own = &chain.shafts[shaft.shaft];
+        let own = &chain.shafts()[shaft.shaft];
         let torque = match (own.from == station, own.to == station) {
             (true, _) => rigid[1],
             (_, true) => rigid[0],
