@@ -1,10 +1,10 @@
-//! The flexible crankshaft of an engine over the cycle, in four models of its bearings side by side, and what comes of it as quantities.
+//! The flexible crankshaft of an engine over the cycle on its oil films, and what comes of it as quantities.
 //!
 //! | quantity | what it is |
 //! |---|---|
-//! | `cycle stress rigid`, `contact`, `bushing`, `film` | largest von Mises stress of all fillets over the cycle [Pa] |
-//! | `cycle angle film` and the others | crank angle at which it is [rad] |
-//! | `cycle play bushing` and the others | largest distance of the pin of cylinder 1 from the middle of its big end [m] |
+//! | `cycle stress film` | largest von Mises stress of all fillets over the cycle [Pa] |
+//! | `cycle angle film` | crank angle at which it is [rad] |
+//! | `cycle play film` | largest distance of the pin of cylinder 1 from the middle of its big end [m] |
 //!
 //! The mesh is that of `stress.size` and `stress.fillet elements`; the highest speed of the engine, constant.
 
@@ -67,6 +67,7 @@ pub(crate) fn cycle_of(engine: &Engine, fit: &StressFit) -> Result<CrankCycle, S
     let request = CycleRequest {
         mesh: StressMesh { crankshaft: 0, options: fit.mesh() },
         basis: BasisOptions { modes: MODES, ..BasisOptions::default() },
+        laws: vec![CycleLaw::Film],
         instants: INSTANTS,
         ..CycleRequest::default()
     };

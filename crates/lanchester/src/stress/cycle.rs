@@ -10,7 +10,7 @@ use crate::pressure::cylinders::{CylinderCycle, cylinder_gas};
 use crate::pressure::measured::TraceFile;
 use crate::stress::request::{StressError, StressMesh, StressStage};
 use crate::stress::run::{check_crankshaft, sheet};
-use free::run_law;
+use free::{free_start, run_law};
 use lanchester_flex::train::{BasisOptions, CycleOptions, CycleState, crank_basis};
 use lanchester_mechanism::{BearingPart, BearingRequest, bearing_loads};
 use lanchester_model::Engine;
@@ -106,6 +106,7 @@ pub fn crank_cycle(
     // What may be refused at once is, before the mesh.
     let places = bearing_places(engine, request.mesh.crankshaft)?;
     let laws = BearingLaws::new(engine, &loads, &places, &request.laws, &mut notes)?;
+    let free = free_start(engine, cylinders, request, speed, loads.period)?;
     let mesh_watch = |stage| {
         watch(CycleStage::Mesh(stage));
     };
@@ -147,7 +148,7 @@ pub fn crank_cycle(
             let run_watch = |run: usize, state: CycleState| {
                 watch(CycleStage::Running { law: *law, crank: *kind, run, state })
             };
-            let found = run_law(engine, cylinders, request, train, options, &run_watch)?;
+            let found = run_law(train, free.as_ref(), options, &run_watch)?;
             stopped = found.stopped();
             let stress = (*kind == CrankKind::Flexible).then_some(&basis.stress);
             runs.push(cycle_run(*law, *kind, &found, &places, &laws, stress)?);

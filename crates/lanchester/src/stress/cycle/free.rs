@@ -33,18 +33,22 @@ impl LawCycles {
     }
 }
 
-/// Runs a law.
-pub(crate) fn run_law(
+/// A first guess of a free speed, and what turns freely.
+pub(crate) struct FreeStart {
+    motion: ImposedMotion,
+    flywheel: FreeFlywheel,
+}
+
+/// Where the speed is to swing: how it does of a rigid crankshaft.
+pub(crate) fn free_start(
     engine: &Engine,
     gas: Option<&[CylinderGas]>,
     request: &CycleRequest,
-    mut train: CrankTrain,
-    options: CycleOptions,
-    watch: &dyn Fn(usize, CycleState) -> bool,
-) -> Result<LawCycles, StressError> {
+    speed: f64,
+    period: f64,
+) -> Result<Option<FreeStart>, StressError> {
     if request.motion == CycleSpeed::Constant {
-        let cycles = run_cycles_watched(&train, options, &|state| watch(1, state))?;
-        return Ok(LawCycles { train, cycles, free: None });
+        return Ok(None);
     }
     let unknown = |reason: &str, hint: &str| StressError::FreeSpeed {
         reason: reason.to_owned(),
@@ -56,24 +60,15 @@ pub(crate) fn run_law(
             "ask for constant speed",
         ));
     }
-    let speed = train.motion.speed;
     let ripple = match speed_ripple(engine, gas, speed, &OuterTorque::default(), known_inertia(engine))? {
         RippleOutcome::Periodic(ripple) => ripple,
-        RippleOutcome::IncompleteInertia(missing) => {
-            return Err(unknown(
-                &missing.reason,
-                "give the inertias that are missing, or ask for constant speed",
-            ));
-        }
-        RippleOutcome::Stops(stopped) => {
-            return Err(unknown(&stopped.reason, "ask for a higher speed, or for constant speed"));
-        }
+        RippleOutcome::IncompleteInertia(missing) => return Err(unknown(&missing.reason, &missing.fix)),
+        RippleOutcome::Stops(stopped) => return Err(unknown(&stopped.reason, &stopped.fix)),
     };
-    let orders = (ORDERS * train.motion.period / TAU).round() as usize;
+    let orders = (ORDERS * period / TAU).round() as usize;
     // The torque may repeat sooner than the cylinders do.
-    let times = (train.motion.period / ripple.period).round().max(1.0) as usize;
-    train.motion =
-        ImposedMotion::of_speeds(&ripple.speed.repeat(times), ripple.period * times as f64, orders);
+    let times = (period / ripple.period).round().max(1.0) as usize;
+    let motion = ImposedMotion::of_speeds(&ripple.speed.repeat(times), ripple.period * times as f64, orders);
     let wheel = ripple.inertia.given.flywheel + ripple.inertia.geared;
     let flywheel = FreeFlywheel {
         inertia: wheel,
@@ -82,7 +77,22 @@ pub(crate) fn run_law(
         change: CHANGE,
         most_runs: RUNS,
     };
-    let found = run_free(&train, flywheel, options, watch)?;
+    Ok(Some(FreeStart { motion, flywheel }))
+}
+
+/// Runs a law.
+pub(crate) fn run_law(
+    mut train: CrankTrain,
+    free: Option<&FreeStart>,
+    options: CycleOptions,
+    watch: &dyn Fn(usize, CycleState) -> bool,
+) -> Result<LawCycles, StressError> {
+    let Some(start) = free else {
+        let cycles = run_cycles_watched(&train, options, &|state| watch(1, state))?;
+        return Ok(LawCycles { train, cycles, free: None });
+    };
+    train.motion = start.motion.clone();
+    let found = run_free(&train, start.flywheel, options, watch)?;
     train.motion = found.motion;
     Ok(LawCycles { train, cycles: found.found, free: Some((found.runs, found.change)) })
 }
