@@ -181,8 +181,8 @@ fn the_last_rung_agrees_where_it_must() {
     assert!(check.agrees() && rows.len() == 3, "{rows:?}");
     assert_eq!(rows[0].verdict, CrossVerdict::Agrees);
     assert!(rows[0].share() <= 1e-4, "{:?}", rows[0]);
-    // Fillets alone part the centrifugal loads; an elastic crankshaft rings behind the jump of the pressure.
-    assert!((rows[1].difference / load_of_fillets() - 1.0).abs() < 0.02, "{:?}", rows[1]);
+    // A mesh with sharp corners has the masses of the file's numbers; an elastic crankshaft rings behind the jump of the pressure.
+    assert_eq!(rows[1].verdict, CrossVerdict::Agrees, "{:?}", rows[1]);
     assert!(rows[2].verdict == CrossVerdict::DiffersAsItMust && rows[2].reason.is_some(), "{:?}", rows[2]);
     let bare =
         lanchester::file::read(lanchester::file::template("in-line-4").unwrap().text).engine().unwrap();
