@@ -6,7 +6,7 @@
 mod folder;
 mod head;
 mod progress;
-mod table_file;
+pub mod table_file;
 
 pub use head::{Head, Held};
 

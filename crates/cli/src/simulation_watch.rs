@@ -19,7 +19,7 @@ impl GoesOn {
             if !heard.swap(false, Ordering::Relaxed) {
                 std::process::exit(INTERRUPTED);
             }
-            eprintln!("stopping with the samples so far; Ctrl-C again ends at once");
+            eprintln!("stopping with what there is so far; Ctrl-C again ends at once");
         });
         GoesOn(goes_on)
     }

@@ -103,7 +103,7 @@ impl Drop for Watch<'_> {
 }
 
 /// Whether something is said after `elapsed` seconds, if something was said last after `said`.
-fn is_due(elapsed: f64, said: Option<f64>, is_terminal: bool) -> bool {
+pub(crate) fn is_due(elapsed: f64, said: Option<f64>, is_terminal: bool) -> bool {
     // What is late by rounding is not late.
     let elapsed = elapsed + 1e-9;
     match said {

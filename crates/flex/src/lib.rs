@@ -9,6 +9,7 @@ pub mod crank_case;
 pub mod crank_mesh;
 pub mod crank_rings;
 pub mod crank_solve;
+pub mod crank_twist;
 pub mod deck;
 mod eigen;
 pub mod element;

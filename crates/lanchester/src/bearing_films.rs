@@ -15,7 +15,7 @@ use std::f64::consts::TAU;
 /// Version of the form of [`BearingFilms`].
 pub const BEARING_FILMS_VERSION: u32 = 1;
 /// Diametral clearance over diameter where none is given.
-const ASSUMED_CLEARANCE: f64 = 1e-3;
+pub(crate) const ASSUMED_CLEARANCE: f64 = 1e-3;
 /// Oil and supply temperature [K] where none are given.
 const ASSUMED_OIL: &str = "SAE 5W-30";
 const ASSUMED_SUPPLY: f64 = 373.15;
@@ -328,7 +328,7 @@ fn oil_of(engine: &Engine, assumptions: &mut Vec<String>) -> Result<FilmOil, Bea
     Ok(FilmOil::Curve { oil, supply })
 }
 
-fn model_of(model: FileCavitation) -> Cavitation {
+pub(crate) fn model_of(model: FileCavitation) -> Cavitation {
     match model {
         FileCavitation::Full => Cavitation::Full,
         FileCavitation::Gumbel => Cavitation::Gumbel,

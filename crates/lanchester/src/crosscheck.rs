@@ -1,5 +1,6 @@
 //! How far the rungs agree, load by load, and why where they do not.
 
+pub(crate) mod flexible;
 pub(crate) mod graph;
 pub(crate) mod graph_joints;
 pub(crate) mod graph_loads;

@@ -1,6 +1,7 @@
 //! Stress and modes of a crankshaft: its mesh from the engine file, its loads from the closed form.
 
 pub(crate) mod converge;
+pub(crate) mod cycle;
 pub(crate) mod deck;
 pub(crate) mod export;
 pub(crate) mod fatigue;
@@ -8,9 +9,12 @@ pub(crate) mod loads;
 pub(crate) mod reduce;
 pub(crate) mod request;
 pub(crate) mod rule;
+pub(crate) mod rule_torsion;
 pub(crate) mod run;
+pub(crate) mod throws;
 
 pub use converge::{converged_modes, converged_stress};
+pub use cycle::{CycleRequest, CycleStage, crank_cycle};
 pub use deck::solve_deck;
 pub use export::{case_deck, case_glb, case_stl, case_vtu, modes_deck, modes_glb, modes_vtu};
 pub use fatigue::{FatigueRequest, crank_fatigue};
@@ -19,4 +23,6 @@ pub use request::{
     GivenForce, ModesRequest, StaticRequest, StressError, StressLoad, StressMesh, StressStage, support_words,
 };
 pub use rule::{CrankRuleError, RuleRequest, crank_rule};
+pub use rule_torsion::{RuleTorsionError, crank_rule_with_torsion};
 pub use run::{crank_modes, static_stress};
+pub use throws::throw_stiffnesses;

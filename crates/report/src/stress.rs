@@ -2,6 +2,7 @@
 
 pub(crate) mod body;
 pub(crate) mod convergence;
+pub(crate) mod cycle;
 pub(crate) mod deck;
 pub(crate) mod fatigue;
 pub(crate) mod modes;
@@ -11,6 +12,7 @@ pub(crate) mod statics;
 
 pub use body::{CrankSheet, StressMaterial};
 pub use convergence::{ConvergedNumber, Convergence, ConvergenceMesh};
+pub use cycle::*;
 pub use deck::{DECK_VERSION, SolvedDeck, SolvedStep, StaticStep, deck_csv, deck_text};
 pub use fatigue::{
     CRANK_FATIGUE_VERSION, CrankFatigue, FatigueAtSpeed, FatigueFactors, FilletFatigue, fatigue_csv,

@@ -11,6 +11,7 @@ use lanchester::file::workshop::read_sheet;
 use lanchester::file::{EngineFile, read};
 use lanchester::mechanism::{Kinematics, LoadRequest, Loads, Part, PeakMode, loads};
 use lanchester::model::Engine;
+use lanchester::report::CrankCycle;
 use lanchester::task::workshop::Sheet;
 use std::cell::OnceCell;
 use std::collections::HashMap;
@@ -26,6 +27,8 @@ pub(crate) struct Run {
     pub stress_fit: StressFit,
     /// Static stress, once it was asked for.
     pub stress: OnceCell<Result<StressRun, String>>,
+    /// The flexible crankshaft over the cycle, once it was asked for.
+    pub cycle: OnceCell<Result<CrankCycle, String>>,
     pub kinematics: Kinematics,
     /// Every quantity that went in, in SI units.
     pub inputs: Vec<f64>,
@@ -95,6 +98,7 @@ impl Bench {
             shape: fitting.shape,
             stress_fit: fitting.stress,
             stress: OnceCell::new(),
+            cycle: OnceCell::new(),
             kinematics: request.kinematics,
             gas: OnceCell::new(),
         });

@@ -99,6 +99,7 @@ pub(crate) const FILES: &[(&str, &str)] = embedded![
     "flexible-paper/three-mains.toml",
     "flexible-paper/two-mains.toml",
     "flexible-paper/thin-web.toml",
+    "flexible-paper/bearing-films.json",
     "flexible-paper/crankpin.json",
     "flexible-paper/text.json",
     "flexible-paper/static-case.json",

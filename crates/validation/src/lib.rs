@@ -17,6 +17,7 @@
 
 mod case;
 mod compared;
+mod crank_cycle;
 mod files;
 mod fitting;
 mod gas;

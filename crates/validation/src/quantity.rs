@@ -15,9 +15,11 @@
 //! `... of rotating + reciprocating`, `... of cylinder 1` takes a name from these alone. The rest are data of the
 //! engine, see [`EngineDatum`]; `a plus b` adds them. Devices that a method fits: [`DeviceKey`]. Shapes of counterweights:
 //! [`ShapeKey`]. Forces at mounts: [`MountKey`]. What the gas does: [`GasKey`]. The bond graph: [`GraphKey`]. Static stress: [`StressKey`].
-//! Torsion: [`TorsionKey`]. Runs in time: [`RunKey`]. Workshop sheets: [`WorkshopKey`]. Mechanisms: [`MechanismKey`].
+//! The flexible crankshaft over the cycle: [`CycleKey`]. Torsion: [`TorsionKey`]. Runs in time: [`RunKey`]. Workshop sheets:
+//! [`WorkshopKey`]. Mechanisms: [`MechanismKey`].
 
 use crate::case::Run;
+use crate::crank_cycle::{CycleKey, cycle_of};
 use crate::gas::GasKey;
 use crate::graph::GraphKey;
 use crate::mechanism::MechanismKey;
@@ -54,6 +56,8 @@ pub(crate) enum Key {
     Graph(GraphKey),
     /// In torsion.
     Torsion(TorsionKey),
+    /// Of a flexible crankshaft over the cycle.
+    Cycle(CycleKey),
     /// Of a case of static stress.
     Stress(StressKey),
     /// Of a run in time.
@@ -200,6 +204,9 @@ impl Key {
         if let Some(torsion) = TorsionKey::parse(text) {
             return Ok(Key::Torsion(torsion));
         }
+        if let Some(cycle) = CycleKey::parse(text) {
+            return Ok(Key::Cycle(cycle));
+        }
         if let Some(stress) = StressKey::parse(text) {
             return Ok(Key::Stress(stress));
         }
@@ -235,6 +242,10 @@ impl Key {
             Key::Gas(gas) => gas.of(run).map(Value::Number),
             Key::Graph(graph) => graph.of(&run.engine).map(Value::Number),
             Key::Torsion(torsion) => torsion.of(&run.file).map(Value::Number),
+            Key::Cycle(cycle) => {
+                let found = run.cycle.get_or_init(|| cycle_of(&run.engine, &run.stress_fit));
+                cycle.of(found.as_ref().map_err(Clone::clone)?).map(Value::Number)
+            }
             Key::Stress(stress) => {
                 let found = run.stress.get_or_init(|| StressRun::of(&run.engine, &run.stress_fit));
                 found.as_ref().map(|found| Value::Number(stress.of(found))).map_err(Clone::clone)

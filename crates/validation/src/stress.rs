@@ -54,6 +54,16 @@ impl StressFit {
     fn of(&self, name: &str) -> Option<f64> {
         self.given.get(name).copied()
     }
+
+    /// The mesh that is asked for.
+    pub fn mesh(&self) -> CrankMeshOptions {
+        let usual = CrankMeshOptions::default();
+        CrankMeshOptions {
+            size: self.of("size").unwrap_or(usual.size),
+            fillet_elements: self.of("fillet elements").map_or(usual.fillet_elements, |count| count as usize),
+            fillets: self.of("fillet elements").is_some(),
+        }
+    }
 }
 
 /// What a case gives.
@@ -69,12 +79,7 @@ impl StressRun {
     /// Of an engine and a case.
     pub fn of(engine: &Engine, fit: &StressFit) -> Result<StressRun, String> {
         let radial = fit.of("radial").ok_or("a stress case needs the change stress.radial")?;
-        let usual = CrankMeshOptions::default();
-        let options = CrankMeshOptions {
-            size: fit.of("size").unwrap_or(usual.size),
-            fillet_elements: fit.of("fillet elements").map_or(usual.fillet_elements, |count| count as usize),
-            fillets: fit.of("fillet elements").is_some(),
-        };
+        let options = fit.mesh();
         let support = match (fit.of("ring thickness"), fit.of("ring modulus")) {
             (Some(thickness), Some(modulus)) => CrankSupport::Rings { thickness, modulus },
             (None, None) => CrankSupport::Journals,

@@ -23,6 +23,7 @@ pub fn run(arguments: &CrosscheckArguments, colour: bool) -> Result<u8, Failure>
         ConditionOption::B => Condition::FreeSpeed,
         ConditionOption::C => Condition::MovingBlock,
         ConditionOption::D => Condition::AllFree,
+        ConditionOption::E => Condition::FlexibleCrank,
     });
     let opened = open(&arguments.file, colour)?;
     let request = CrossCheckRequest {

@@ -1,13 +1,18 @@
 //! `lanchester torsion`: torsional vibration of the crankshaft with what it drives.
 
+use crate::commands::stress::say;
 use crate::commands::{json, open};
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
 use crate::figures::write_figures;
 use crate::files::{print, tell};
 use crate::format::Format;
-use crate::options::torsion::{AimOption, TorsionArguments, TorsionTable, TuneOption};
+use crate::options::torsion::{AimOption, StiffnessOption, TorsionArguments, TorsionTable, TuneOption};
+use crate::requests::stress::memory;
 use crate::requests::value_list::value_list;
 use crate::trace_files::trace_files;
+use lanchester::flex::crank_mesh::CrankMeshOptions;
+use lanchester::flex::statics::SolveOptions;
+use lanchester::model::Engine;
 use lanchester::report::{
     Table, TorsionResult, chain_table, critical_table, damped_mode_table, damper_table, holzer_table,
     mode_table, shaft_order_table, shaft_table, star_table, time_table, torsion_csv, torsion_figures,
@@ -15,15 +20,17 @@ use lanchester::report::{
 };
 use lanchester::task::option;
 use lanchester::torsion::{TuneAim, TuneFree};
-use lanchester::{TorsionRequest, torsion};
+use lanchester::{StressMesh, TorsionRequest, throw_stiffnesses, torsion};
 
 pub fn run(arguments: &TorsionArguments, colour: bool) -> Result<u8, Failure> {
-    let request = request(arguments)?;
+    let mut request = request(arguments)?;
     let opened = open(&arguments.file, colour)?;
     let engine = &opened.file.engine;
     let has_gas = engine.gas.is_some() && !arguments.inertia_only;
     let traces = if has_gas { trace_files(engine, &arguments.file)? } else { Vec::new() };
-    let found = torsion(&opened.file, &traces, &request).map_err(Failure::refused)?;
+    let notes = by_elements(arguments, engine, &mut request)?;
+    let mut found = torsion(&opened.file, &traces, &request).map_err(Failure::refused)?;
+    found.notes.extend(notes);
     if let Some(folder) = &arguments.figures {
         write_figures(folder, &arguments.file, &torsion_figures(&found))?;
     }
@@ -43,6 +50,36 @@ pub fn run(arguments: &TorsionArguments, colour: bool) -> Result<u8, Failure> {
     }
     tell("a limit of [torsion] is not kept");
     Ok(NOT_AS_EXPECTED)
+}
+
+/// Stiffnesses of throws from a mesh, where they are asked for; both kinds in words.
+fn by_elements(
+    arguments: &TorsionArguments,
+    engine: &Engine,
+    request: &mut TorsionRequest,
+) -> Result<Vec<String>, Failure> {
+    if arguments.throws == StiffnessOption::KerWilson {
+        return Ok(Vec::new());
+    }
+    let size = option::length(&arguments.size, "--size")?;
+    let options = CrankMeshOptions { size, fillet_elements: 2, ..CrankMeshOptions::default() };
+    let solve = SolveOptions { memory: memory(&arguments.memory)?, ..SolveOptions::default() };
+    let held = arguments.throws == StiffnessOption::Held;
+    let mut notes = Vec::new();
+    for crankshaft in 0..engine.crankshafts.len() {
+        let mesh = StressMesh { crankshaft, options };
+        for own in throw_stiffnesses(engine, mesh, solve, &say).map_err(Failure::refused)? {
+            request.stiffness.push((own.throw, if held { own.held } else { own.free }));
+            notes.push(format!(
+                "throw {} by finite elements, between the middles of its journals: {:.4} MN m/rad with journals free to move aside, {:.4} MN m/rad with their middles held; taken: {}",
+                own.throw + 1,
+                1e-6 * own.free,
+                1e-6 * own.held,
+                if held { "held" } else { "free" }
+            ));
+        }
+    }
+    Ok(notes)
 }
 
 fn request(arguments: &TorsionArguments) -> Result<TorsionRequest, Failure> {

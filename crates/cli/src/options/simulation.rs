@@ -151,4 +151,6 @@ pub enum ConditionOption {
     C,
     /// Free speed, block on its mounts where the file gives them: the bond graph.
     D,
+    /// Crankshaft by finite elements in rigid bearings, stiffened until it is rigid and as it is. Only where asked for: it meshes the crankshaft.
+    E,
 }

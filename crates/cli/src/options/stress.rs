@@ -50,10 +50,20 @@ pub enum StressCommand {
                             lanchester stress fatigue four.toml --size '14 mm' --fillet-elements 4 --format csv > fatigue.csv"
     )]
     Fatigue(FatigueArguments),
+    /// The crankshaft turning in its bearings over the cycle, laws of the bearings side by side: stress of every fillet, orbits, least film, loads of the mains;
+    /// exit status 1 where a limit fails or a run has no sound end.
+    #[command(
+        after_help = "Examples:\n  lanchester stress cycle four.toml\n  lanchester stress cycle four.toml --bearings rigid,film --speed '4000 rpm'\n  \
+                            lanchester stress cycle four.toml --bearings film --free --modes 30 --figures pictures\n  \
+                            lanchester stress cycle four.toml --bearings film --least-film '1 um' --safety 1.5\n  \
+                            lanchester stress cycle four.toml --size '14 mm' --fillet-elements 4 --save curves.parquet\n\n\
+                            Ctrl-C ends it with what has been computed; a second one ends the program."
+    )]
+    Cycle(CycleArguments),
     /// Strength by the formulas of IACS UR M53, throw by throw: fillets and oil bores with their safety; exit status 1 where it is below 1.15.
     #[command(
         after_help = "Examples:\n  lanchester stress rule four.toml\n  lanchester stress rule four.toml --speed '6000 rpm' --torsional-vibration '500 N m'\n  \
-                            lanchester stress rule four.toml --torsional-vibration '300 N m, 350 N m, 400 N m, 420 N m' --format csv > rule.csv\n\n\
+                            lanchester stress rule four.toml --with-torsion\n  lanchester stress rule four.toml --torsional-vibration '300 N m, 350 N m, 400 N m, 420 N m' --format csv > rule.csv\n\n\
                             Formulas after UR M53, not compared with the printed rule. Every ratio is held to the range of the formulas."
     )]
     Rule(RuleArguments),
@@ -261,6 +271,71 @@ pub struct FatigueArguments {
     pub format: Format,
 }
 
+/// `stress cycle`
+#[derive(Debug, Args)]
+pub struct CycleArguments {
+    /// Which crankshaft, and how fine its mesh is.
+    #[command(flatten)]
+    pub mesh: MeshArguments,
+    /// Laws of the bearings, side by side.
+    #[arg(long, value_enum, value_delimiter = ',', default_values_t = [LawOption::Rigid, LawOption::Contact, LawOption::Bushing, LawOption::Film])]
+    pub bearings: Vec<LawOption>,
+    /// Run every law with a rigid crankshaft too.
+    #[arg(long)]
+    pub rigid_crankshaft: bool,
+    /// Mean speed of crankshaft 1, with its unit. Default: the highest speed of the file.
+    #[arg(long, value_name = "SPEED")]
+    pub speed: Option<String>,
+    /// Let the flywheel turn as gas, inertia and a constant load make it, instead of at constant speed. Needs the inertia of the flywheel.
+    #[arg(long)]
+    pub free: bool,
+    /// Leave out the gas of the file.
+    #[arg(long)]
+    pub inertia_only: bool,
+    /// Natural modes of the free crankshaft that are kept, beside the static shapes of all bearings.
+    #[arg(long, value_name = "N", default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..=200))]
+    pub modes: u32,
+    /// Damping of every mode over the critical one.
+    #[arg(long, value_name = "SHARE", default_value = "0.01")]
+    pub damping: f64,
+    /// Instants of a revolution, a multiple of 8.
+    #[arg(long, value_name = "N", default_value_t = 360, value_parser = clap::value_parser!(u32).range(32..=3600))]
+    pub instants: u32,
+    /// Most cycles of a law; where they do not repeat by then, five more give an envelope.
+    #[arg(long, value_name = "N", default_value_t = 30, value_parser = clap::value_parser!(u32).range(2..=1000))]
+    pub cycles: u32,
+    /// Least static safety that is wanted: yield strength over the largest stress of all laws.
+    #[arg(long, value_name = "SAFETY")]
+    pub safety: Option<f64>,
+    /// Least film that is wanted, with its unit.
+    #[arg(long, value_name = "LENGTH")]
+    pub least_film: Option<String>,
+    /// Write all curves over the crank angle into this table, `.parquet` or `.csv`; never overwrites.
+    #[arg(long, value_name = "FILE")]
+    pub save: Option<PathBuf>,
+    /// Write pictures as SVG files into this folder.
+    #[arg(long, value_name = "FOLDER")]
+    pub figures: Option<PathBuf>,
+    /// Form of the output; CSV is the peak of every fillet and bearing by law.
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub format: Format,
+}
+
+/// Laws of bearings.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum LawOption {
+    /// No clearance and no yield.
+    Rigid,
+    /// Clearance, then a spring with a damper.
+    Contact,
+    /// Springs with dampers about the middle.
+    Bushing,
+    /// An oil film.
+    Film,
+    /// Each bearing as the file says; a film where it says nothing.
+    File,
+}
+
 /// `stress rule`
 #[derive(Debug, Args)]
 pub struct RuleArguments {
@@ -277,6 +352,9 @@ pub struct RuleArguments {
     /// end on, parted by commas.
     #[arg(long, value_name = "TORQUE")]
     pub torsional_vibration: Option<String>,
+    /// Take the torsional vibration from the chain of `torsion` at each speed. Needs what `torsion` needs.
+    #[arg(long, conflicts_with = "torsional_vibration")]
+    pub with_torsion: bool,
     /// Leave out the gas of the file.
     #[arg(long)]
     pub inertia_only: bool,

@@ -28,6 +28,16 @@ pub struct TorsionArguments {
     /// Check the sum of orders in the time domain at this speed, with the inertia of rods and pistons as it varies.
     #[arg(long, value_name = "SPEED")]
     pub check: Option<String>,
+    /// Where the stiffness of throws comes from: Ker Wilson's lengths, or a mesh of the crankshaft with its journals free to move aside or with their middles held.
+    /// Both of a mesh are told, and Ker Wilson's beside them. What [torsion] gives stays.
+    #[arg(long, value_enum, default_value_t = StiffnessOption::KerWilson)]
+    pub throws: StiffnessOption,
+    /// With `--throws free` or `held`: size of the elements, with its unit.
+    #[arg(long, value_name = "LENGTH", default_value = "10 mm")]
+    pub size: String,
+    /// With `--throws free` or `held`: most memory that matrix and factor may take, such as `4 GiB`.
+    #[arg(long, value_name = "SIZE", default_value = "8 GiB")]
+    pub memory: String,
     /// Write the figures as SVG files into this folder.
     #[arg(long, value_name = "FOLDER")]
     pub figures: Option<PathBuf>,
@@ -37,6 +47,17 @@ pub struct TorsionArguments {
     /// Form of the output; CSV is everything over speed, or the table asked for.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,
+}
+
+/// Where the stiffness of throws comes from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum StiffnessOption {
+    /// Ker Wilson's lengths.
+    KerWilson,
+    /// Finite elements, journals free to move aside.
+    Free,
+    /// Finite elements, middles of the journals on the axis.
+    Held,
 }
 
 /// What of the damper is found.

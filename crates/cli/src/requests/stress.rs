@@ -2,17 +2,19 @@
 
 use crate::failure::Failure;
 use crate::options::stress::{
-    FatigueArguments, LoadArguments, MeshArguments, RuleArguments, SupportArguments, SupportOption,
+    CycleArguments, FatigueArguments, LawOption, LoadArguments, MeshArguments, RuleArguments,
+    SupportArguments, SupportOption,
 };
 use crate::requests::value_list::value_list;
 use lanchester::flex::crank_case::CrankSupport;
 use lanchester::flex::crank_mesh::CrankMeshOptions;
 use lanchester::flex::sparse::Precision;
 use lanchester::flex::statics::SolveOptions;
-use lanchester::report::FatigueFactors;
+use lanchester::flex::train::BasisOptions;
+use lanchester::report::{CycleLaw, CycleSpeed, FatigueFactors};
 use lanchester::task::option;
 use lanchester::units::{Bound, Dimension};
-use lanchester::{FatigueRequest, GivenForce, RuleRequest, StressLoad, StressMesh};
+use lanchester::{CycleRequest, FatigueRequest, GivenForce, RuleRequest, StressLoad, StressMesh};
 
 /// Which crankshaft, how fine.
 pub fn mesh(own: &MeshArguments, fillet_elements: usize) -> Result<StressMesh, Failure> {
@@ -55,6 +57,56 @@ pub fn fatigue_request(own: &FatigueArguments) -> Result<FatigueRequest, Failure
         },
         instants: own.instants as usize,
         solve: solve_options(&own.mesh)?,
+    })
+}
+
+/// What is asked of a crankshaft over the cycle.
+pub fn cycle_request(own: &CycleArguments) -> Result<CycleRequest, Failure> {
+    let law = |law: &LawOption| match law {
+        LawOption::Rigid => CycleLaw::Rigid,
+        LawOption::Contact => CycleLaw::Contact,
+        LawOption::Bushing => CycleLaw::Bushing,
+        LawOption::Film => CycleLaw::Film,
+        LawOption::File => CycleLaw::File,
+    };
+    let mut laws: Vec<CycleLaw> = Vec::new();
+    for wanted in own.bearings.iter().map(law) {
+        if !laws.contains(&wanted) {
+            laws.push(wanted);
+        }
+    }
+    if !own.instants.is_multiple_of(8) {
+        return Err(Failure::input(
+            format_args!("--instants needs a multiple of 8, got {}", own.instants),
+            "360 are one a degree",
+        ));
+    }
+    if !(0.0..1.0).contains(&own.damping) {
+        return Err(Failure::input(
+            format_args!("--damping needs a share from 0 to below 1, got {}", own.damping),
+            "crankshafts of steel have 0.005 to 0.02",
+        ));
+    }
+    if let Some(safety) = own.safety.filter(|safety| !(*safety > 0.0 && safety.is_finite())) {
+        return Err(Failure::input(
+            format_args!("--safety needs a number above 0, got {safety}"),
+            "for example --safety 1.5",
+        ));
+    }
+    Ok(CycleRequest {
+        mesh: mesh(&own.mesh, 6)?,
+        laws,
+        rigid_crank: own.rigid_crankshaft,
+        speed: own.speed.as_ref().map(|text| option::speed(text, "--speed")).transpose()?,
+        motion: if own.free { CycleSpeed::Free } else { CycleSpeed::Constant },
+        gas: !own.inertia_only,
+        basis: BasisOptions {
+            modes: own.modes as usize,
+            damping: own.damping,
+            memory: memory(&own.mesh.memory)?,
+        },
+        instants: own.instants as usize,
+        most_cycles: own.cycles as usize,
     })
 }
 

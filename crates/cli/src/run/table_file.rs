@@ -2,7 +2,7 @@
 
 use super::head::{Held, numbered};
 use crate::failure::Failure;
-use lanchester::table::{Column, Form, SEAL, TableError, TableReader, TableWriter, csv_seal};
+use lanchester::table::{Column, Form, Rows, SEAL, TableError, TableReader, TableWriter, Values, csv_seal};
 use lanchester_files::{NewFile, Over, PutError, shown};
 use std::collections::BTreeMap;
 use std::fs::{self, File};
@@ -100,6 +100,33 @@ pub fn held(path: &Path) -> Result<Option<Held>, Failure> {
             Held::found(|key| entries.get(key).cloned(), path).map(Some)
         }
     }
+}
+
+/// Writes curves: a column of words, then columns of numbers, as rows; over nothing that is there.
+pub fn save(
+    path: &Path,
+    form: Form,
+    (heads, rows): (Vec<String>, Vec<(String, Vec<f64>)>),
+) -> Result<(), Failure> {
+    if fs::metadata(path).is_ok_and(|there| there.is_file()) {
+        return Err(Failure::input(
+            format_args!("{} exists and is not overwritten", shown(path)),
+            "choose another name, or remove it first",
+        ));
+    }
+    let name = |head: &String| {
+        let parts: Vec<&str> =
+            head.split(|c: char| !c.is_ascii_alphanumeric()).filter(|part| !part.is_empty()).collect();
+        parts.join("_")
+    };
+    let mut names = heads.iter().map(name);
+    let columns: Vec<Column> =
+        names.next().map(Column::text).into_iter().chain(names.map(Column::real)).collect();
+    let mut values = vec![Values::Text(rows.iter().map(|(name, _)| name.clone()).collect())];
+    values.extend((1..columns.len()).map(|k| Values::Real(rows.iter().map(|(_, row)| row[k - 1]).collect())));
+    write(path, form, &columns, &[], |writer| {
+        writer.push(Rows::of(values)).map_err(|error| cannot_write(path, error))
+    })
 }
 
 /// Writes a table: what `fill` pushes, then the metadata and the hash, into the footer or, for CSV, into a file `TABLE.json` beside it.

@@ -56,11 +56,26 @@ pub enum CycleOutcome {
     Periodic,
     /// They do not within the most that are allowed: five more give the envelope.
     NotPeriodic,
-    /// A step without solution: a film has no thickness left, or a rod does not reach.
+    /// A step without solution: a film has no thickness left, or a rod does not reach. The last whole cycle stands, with fewer instants.
     Broken {
         /// Angle of crankshaft 1 [rad], from the first cycle on.
         theta: f64,
     },
+    /// Stopped by the one who watches: the last whole cycle stands, with fewer instants.
+    Stopped,
+}
+
+/// How far a run is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CycleState {
+    /// Whole cycles so far.
+    pub cycles: usize,
+    /// Part of the cycle that runs, 0 to 1.
+    pub part: f64,
+    /// Largest change of an orbit from the last cycle but one, over the clearance; infinite before there are two.
+    pub orbit_change: f64,
+    /// The same of loads and deformation, over their largest.
+    pub stress_change: f64,
 }
 
 /// Work and energy over the recorded cycle [J].
@@ -109,7 +124,7 @@ pub struct TrainCycles {
     pub orbit_change: f64,
     /// The same of loads and deformation, over their largest.
     pub stress_change: f64,
-    /// The recorded cycle, or five of them where they do not repeat; none where the run broke.
+    /// The recorded cycle, or five of them where they do not repeat; the last whole one of a run that was stopped or broke off, none where it had none.
     pub recorded: Vec<RecordedCycle>,
     /// Steps of all cycles, those of the recorded ones included.
     pub steps: u64,
@@ -119,8 +134,16 @@ pub struct TrainCycles {
     pub iterations: u64,
 }
 
+/// What hears how far a run is, and says whether it goes on.
+pub type CycleWatch<'a> = &'a dyn Fn(CycleState) -> bool;
+
 struct Runner<'a> {
     train: &'a CrankTrain,
+    watch: CycleWatch<'a>,
+    /// What the watch hears; whether it said stop; the last whole cycle.
+    heard: CycleState,
+    stopped: bool,
+    last: Option<RecordedCycle>,
     assembly: Assembly<'a>,
     integrator: Esdirk,
     state: Vec<f64>,
@@ -139,17 +162,17 @@ struct Runner<'a> {
 /// # Errors
 /// As [`CrankTrain::check`]; [`FlexError::Number`] for samples that are no multiple of 8.
 pub fn run_cycles(train: &CrankTrain, options: CycleOptions) -> Result<TrainCycles, FlexError> {
-    run_cycles_watched(train, options, &|_, _, _| {})
+    run_cycles_watched(train, options, &|_| true)
 }
 
-/// The same; `watch` hears the number of each cycle that is done, the change of its orbits and that of its loads and deformation.
+/// The same; `watch` hears many times a cycle how far the run is, and stops it with `false`.
 ///
 /// # Errors
 /// As [`run_cycles`].
 pub fn run_cycles_watched(
     train: &CrankTrain,
     options: CycleOptions,
-    watch: &dyn Fn(usize, f64, f64),
+    watch: CycleWatch<'_>,
 ) -> Result<TrainCycles, FlexError> {
     train.check()?;
     if options.samples < 4 * COARSE || !options.samples.is_multiple_of(COARSE) {
@@ -164,6 +187,10 @@ pub fn run_cycles_watched(
     let state = assembly.start();
     let mut runner = Runner {
         train,
+        watch,
+        heard: CycleState { cycles: 0, part: 0.0, orbit_change: f64::INFINITY, stress_change: f64::INFINITY },
+        stopped: false,
+        last: None,
         integrator: Esdirk::new(state.len()),
         slope: vec![0.0; state.len()],
         state,
@@ -194,8 +221,9 @@ pub fn run_cycles_watched(
             return Ok(runner.broken(found));
         };
         found.cycles += 1;
-        found.compare(&runner, &before, &now.instants, watch);
-        before = now.instants;
+        found.compare(&mut runner, &before, &now.instants);
+        before = now.instants.clone();
+        runner.last = Some(now);
         if found.cycles > 2 && found.repeats(options) {
             // What is recorded follows without mixing: it must repeat too.
             let Some(now) = runner.cycle(found.cycles, options.samples, 1) else {
@@ -203,7 +231,7 @@ pub fn run_cycles_watched(
             };
             found.cycles += 1;
             let coarse: Vec<CycleInstant> = now.instants.iter().step_by(COARSE).cloned().collect();
-            found.compare(&runner, &before, &coarse, watch);
+            found.compare(&mut runner, &before, &coarse);
             before = coarse;
             if found.repeats(options) {
                 found.outcome = CycleOutcome::Periodic;
@@ -222,25 +250,25 @@ pub fn run_cycles_watched(
         };
         found.cycles += 1;
         let coarse: Vec<CycleInstant> = now.instants.iter().step_by(COARSE).cloned().collect();
-        found.compare(&runner, &before, &coarse, watch);
+        found.compare(&mut runner, &before, &coarse);
         before = coarse;
+        if found.repeats(options) {
+            found.outcome = CycleOutcome::Periodic;
+            found.recorded = vec![now];
+            break;
+        }
         found.recorded.push(now);
     }
     Ok(runner.counted(found))
 }
 
 impl TrainCycles {
-    fn compare(
-        &mut self,
-        runner: &Runner,
-        before: &[CycleInstant],
-        now: &[CycleInstant],
-        watch: &dyn Fn(usize, f64, f64),
-    ) {
+    fn compare(&mut self, runner: &mut Runner, before: &[CycleInstant], now: &[CycleInstant]) {
         if !before.is_empty() {
             (self.orbit_change, self.stress_change) = runner.change(before, now);
         }
-        watch(self.cycles, self.orbit_change, self.stress_change);
+        let (orbit_change, stress_change) = (self.orbit_change, self.stress_change);
+        runner.heard = CycleState { cycles: self.cycles, part: 0.0, orbit_change, stress_change };
     }
 
     fn repeats(&self, options: CycleOptions) -> bool {
@@ -254,9 +282,12 @@ impl Runner<'_> {
         found
     }
 
-    fn broken(&self, mut found: TrainCycles) -> TrainCycles {
-        found.outcome = CycleOutcome::Broken { theta: self.train.motion.at(self.time).angle };
-        found.recorded.clear();
+    fn broken(&mut self, mut found: TrainCycles) -> TrainCycles {
+        found.outcome = match self.stopped {
+            true => CycleOutcome::Stopped,
+            false => CycleOutcome::Broken { theta: self.train.motion.at(self.time).angle },
+        };
+        found.recorded = self.last.take().into_iter().collect();
         self.counted(found)
     }
 
@@ -282,6 +313,13 @@ impl Runner<'_> {
         let before = self.assembly.energy(start, &self.state);
         let mut instants = Vec::with_capacity(stops);
         for stop in 0..stops {
+            if stop.is_multiple_of(COARSE / every) {
+                let state = CycleState { part: stop as f64 / stops as f64, ..self.heard };
+                if !(self.watch)(state) {
+                    self.stopped = true;
+                    return None;
+                }
+            }
             if stop == 0 {
                 // The slope at the start, for the snapshot.
                 let mut slope = std::mem::take(&mut self.slope);

@@ -2,7 +2,7 @@
 //!
 //! * [`crank_basis`] makes the [`CrankBody`] of a mesh: modes and shapes of its bearings, in the frame that turns with it.
 //! * [`CrankTrain`] joins it with rods and pistons by [`TrainLaw`]s: rigid, contact, bushing, film.
-//! * [`run_cycles`] integrates until the cycles repeat; [`StressBasis`] gives the stress at the fillets.
+//! * [`run_cycles`] integrates until the cycles repeat; [`run_free`] finds the speed of a free flywheel; [`StressBasis`] gives the stress at the fillets.
 
 mod assembly;
 mod basis;
@@ -10,6 +10,7 @@ mod body;
 mod coupling;
 mod cycle;
 mod films;
+mod free;
 mod law;
 mod mixing;
 mod motion;
@@ -24,9 +25,11 @@ pub use basis::{BasisOptions, CrankBasis, crank_basis};
 pub use body::CrankBody;
 pub use coupling::BearingPlace;
 pub use cycle::{
-    CycleOptions, CycleOutcome, EnergyBalance, RecordedCycle, TrainCycles, run_cycles, run_cycles_watched,
+    CycleOptions, CycleOutcome, CycleState, CycleWatch, EnergyBalance, RecordedCycle, TrainCycles,
+    run_cycles, run_cycles_watched,
 };
 pub use films::{FilmInstant, largest_film_pressure};
+pub use free::{FreeCycles, FreeFlywheel, run_free};
 pub use law::TrainLaw;
 pub use motion::{ImposedMotion, PeriodicForce};
 pub use parts::{CrankTrain, TrainCylinder, TrainMain};

@@ -5,8 +5,9 @@ use lanchester_flex::crank_mesh::CrankMesh;
 use lanchester_flex::element::ElementKind;
 use lanchester_flex::mesh::{NodeSet, mapped_block, quality};
 use lanchester_flex::train::{
-    BasisOptions, BearingPlace, CrankBody, CrankTrain, CycleOptions, CycleOutcome, ImposedMotion,
+    BasisOptions, BearingPlace, CrankBody, CrankTrain, CycleOptions, CycleOutcome, CycleState, ImposedMotion,
     PeriodicForce, Slider, TrainCycles, TrainCylinder, TrainLaw, TrainMain, crank_basis, run_cycles,
+    run_cycles_watched,
 };
 use lanchester_flex::{FlexError, Material};
 use lanchester_numerics::{ComplexLu, Lu};
@@ -126,6 +127,31 @@ fn a_translation_that_stands_still_turns_backwards_in_the_frame() {
     let mass: f64 = x.iter().map(|x| x * x).sum();
     let mesh = shaft();
     assert!((mass / mesh.quality.mass - 1.0).abs() < 1e-9, "{mass} {}", mesh.quality.mass);
+}
+
+#[test]
+fn a_round_bar_twists_between_the_middles_of_its_journals_as_a_bar() {
+    use lanchester_flex::crank_twist::{TwistEnd, TwistSpan, throw_twists};
+    let mut crank = shaft();
+    // Whole rings of faces: a surface is that of faces whose nodes all belong to it.
+    for (set, [from, to]) in [("MAIN_1", [0.02, 0.06]), ("MAIN_2", [LENGTH - 0.06, LENGTH - 0.02])] {
+        let on = |at: &[f64; 3]| {
+            (at[0].hypot(at[1]) - RADIUS).abs() < 1e-6 && at[2] > from - 1e-9 && at[2] < to + 1e-9
+        };
+        let nodes = crank.mesh.pick(|at| on(&at));
+        crank.mesh.sets.iter_mut().filter(|own| own.name == set).for_each(|own| own.nodes = nodes.clone());
+    }
+    let end = |set: &str, z: f64| TwistEnd { set: set.to_owned(), z, diameters: [2.0 * RADIUS, 0.004] };
+    let span = TwistSpan { throw: 0, ends: [end("MAIN_1", 0.04), end("MAIN_2", LENGTH - 0.04)] };
+    let found = throw_twists(&crank, &[span], Default::default(), &|_| {}).unwrap();
+    let steel = Material::steel();
+    let modulus = steel.youngs_modulus / (2.0 * (1.0 + steel.poisson_ratio));
+    let polar = TAU / 64.0 * ((2.0 * RADIUS).powi(4) - 0.004f64.powi(4));
+    let wanted = modulus * polar / (LENGTH - 0.08);
+    // Eight elements around a circle have 0.1 % less of its polar moment of area.
+    for k in [found[0].free, found[0].held] {
+        assert!((k / wanted - 1.0).abs() < 5e-3, "{k} {wanted}");
+    }
 }
 
 const PERIOD: f64 = TAU;
@@ -343,4 +369,17 @@ fn a_train_that_cannot_run_is_refused_or_breaks_off_as_an_outcome() {
     own.cylinders[0].pin = [0.2, 0.0];
     let found = run_cycles(&own, options()).unwrap();
     assert!(matches!(found.outcome, CycleOutcome::Broken { .. }) && found.recorded.is_empty());
+}
+
+#[test]
+fn a_run_that_is_stopped_leaves_its_last_whole_cycle() {
+    let (body, _) = body();
+    let own = train(body.clone(), film(20e-6), cylinder(film(20e-6)));
+    let goes_on = |state: CycleState| state.cycles < 2 || state.part < 0.5;
+    let found = run_cycles_watched(&own, options(), &goes_on).unwrap();
+    assert_eq!(found.outcome, CycleOutcome::Stopped);
+    assert_eq!((found.cycles, found.recorded.len()), (2, 1));
+    assert_eq!(found.recorded[0].instants.len(), 96 / 8);
+    let at_once = run_cycles_watched(&own, options(), &|_| false).unwrap();
+    assert!(at_once.outcome == CycleOutcome::Stopped && at_once.recorded.is_empty());
 }

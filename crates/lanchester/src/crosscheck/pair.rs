@@ -14,7 +14,7 @@ use num_complex::Complex64;
 pub struct CrossCheckRequest {
     /// Speed of crankshaft 1 [rad/s]; `None`: the highest of the engine.
     pub speed: Option<f64>,
-    /// Conditions; empty: all.
+    /// Conditions; empty: all but E, which meshes the crankshaft.
     pub conditions: Vec<Condition>,
     /// Highest order listed.
     pub max_order: u32,
@@ -100,14 +100,18 @@ impl Pair<'_> {
 
     /// Gas forces of the cylinders [N] at `theta`, their own angles shifted [rad].
     fn gas_forces(&self, theta: f64, shift: f64) -> Vec<f64> {
-        (0..self.train.cylinders.len())
-            .map(|index| {
-                let own = self.train.own_angle(index, theta) + shift;
-                let area = self.train.cylinders[index].area.unwrap_or(0.0);
-                self.gas
-                    .map_or(0.0, |gas| area * (gas[index].cylinder.at(own) - gas[index].crankcase.at(own)))
-            })
-            .collect()
+        (0..self.train.cylinders.len()).map(|index| self.shifted_gas_force(index, theta, shift)).collect()
+    }
+
+    /// Gas force of a cylinder [N] at `theta`.
+    pub(crate) fn gas_force(&self, index: usize, theta: f64) -> f64 {
+        self.shifted_gas_force(index, theta, 0.0)
+    }
+
+    fn shifted_gas_force(&self, index: usize, theta: f64, shift: f64) -> f64 {
+        let own = self.train.own_angle(index, theta) + shift;
+        let area = self.train.cylinders[index].area.unwrap_or(0.0);
+        self.gas.map_or(0.0, |gas| area * (gas[index].cylinder.at(own) - gas[index].crankcase.at(own)))
     }
 
     fn reactions_under(&self, theta: f64, forces: &[f64], shares: &[RotorShares]) -> Reactions {

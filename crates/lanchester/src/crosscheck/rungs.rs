@@ -65,8 +65,10 @@ pub fn crosscheck(
         train: Train::new(engine, &rotor_inertia(engine))?,
         request,
     };
-    let wanted =
-        |condition: &&Condition| request.conditions.is_empty() || request.conditions.contains(condition);
+    let wanted = |condition: &&Condition| match request.conditions.as_slice() {
+        [] => condition.is_usual(),
+        asked => asked.contains(condition),
+    };
     let conditions = Condition::ALL.iter().filter(wanted).map(|&condition| pair.check(condition));
     Ok(CrossCheck {
         version: CROSSCHECK_VERSION,
@@ -84,6 +86,7 @@ impl Pair<'_> {
             Condition::FreeSpeed => self.free_speed()?,
             Condition::MovingBlock => crate::crosscheck::mounts::moving_block(self)?,
             Condition::AllFree => self.all_free()?,
+            Condition::FlexibleCrank => crate::crosscheck::flexible::flexible(self)?,
         };
         let (rows, not_applicable) = match found {
             Ok(rows) => (rows, None),

@@ -1,5 +1,6 @@
 //! What is asked of the stress of a crankshaft, and why it may not be answered.
 
+use crate::bearing_films::BearingFilmsError;
 use crate::pressure::error::GasError;
 use lanchester_flex::FlexError;
 use lanchester_flex::crank_case::CrankSupport;
@@ -127,6 +128,45 @@ pub enum StressError {
     /// Fatigue limits that the criterion cannot hold both.
     #[error(transparent)]
     Limits(#[from] lanchester_strength::LimitsError),
+    /// A bearing that cannot have its law.
+    #[error("{bearing}: {error}")]
+    Bearing {
+        /// Which one.
+        bearing: String,
+        /// Why.
+        error: lanchester_film::FilmError,
+    },
+    /// No oil films.
+    #[error(transparent)]
+    Films(#[from] BearingFilmsError),
+    /// The crank train of this engine is none of plain rods.
+    #[error(
+        "cylinder {cylinder} has an articulated rod: a flexible crankshaft over the cycle knows rods on crankpins alone\nhint: `stress static` and `stress fatigue` take articulated rods"
+    )]
+    Articulated {
+        /// Its number.
+        cylinder: usize,
+    },
+    /// A crankshaft without cylinders or bearings to turn in.
+    #[error("crankshaft {crankshaft} needs {needed}, it has {got}\nhint: {hint}")]
+    Train {
+        /// Its number.
+        crankshaft: usize,
+        /// What is needed.
+        needed: &'static str,
+        /// What is there.
+        got: usize,
+        /// What fixes it.
+        hint: &'static str,
+    },
+    /// A speed that swings and is not known.
+    #[error("the speed within the cycle is not known: {reason}\nhint: {hint}")]
+    FreeSpeed {
+        /// Why.
+        reason: String,
+        /// What fixes it.
+        hint: String,
+    },
     /// A crankshaft or pin that is not there.
     #[error("{what} {number} is needed, the engine has {there}\nhint: numbers count from 1")]
     Missing {

@@ -11,6 +11,7 @@ mod chamber;
 mod checks;
 mod clearance;
 mod corpus;
+mod crank_cycle;
 mod crosscheck;
 mod fatigue;
 mod gallery;

@@ -101,6 +101,7 @@ fn read_crosscheck(options: &Options<'_>) -> Result<Run, Failure> {
         ("b", Condition::FreeSpeed),
         ("c", Condition::MovingBlock),
         ("d", Condition::AllFree),
+        ("e", Condition::FlexibleCrank),
     ];
     let bar = options.number("bar")?;
     if let Some(bar) = bar.filter(|bar| *bar <= 0.0) {

@@ -1,5 +1,7 @@
 //! `lanchester stress`: static stress, natural modes and exports of a crankshaft.
 
+mod cycle;
+
 use crate::commands::{Opened, json, open};
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
 use crate::figures::write_figures;
@@ -21,8 +23,8 @@ use lanchester::report::{
 };
 use lanchester::{
     ModesRequest, StaticRequest, StressStage, case_deck, case_glb, case_stl, case_vtu, converged_modes,
-    converged_stress, crank_fatigue, crank_modes, crank_rule, modes_deck, modes_glb, modes_vtu,
-    reduced_crank, solve_deck, static_stress,
+    converged_stress, crank_fatigue, crank_modes, crank_rule, crank_rule_with_torsion, modes_deck, modes_glb,
+    modes_vtu, reduced_crank, solve_deck, static_stress,
 };
 use std::path::Path;
 
@@ -33,6 +35,7 @@ pub fn run(arguments: &StressArguments, colour: bool) -> Result<u8, Failure> {
         StressCommand::Export(arguments) => export(arguments, colour),
         StressCommand::Reduce(arguments) => reduce(arguments, colour),
         StressCommand::Fatigue(arguments) => fatigue(arguments, colour),
+        StressCommand::Cycle(arguments) => cycle::cycle(arguments, colour),
         StressCommand::Rule(arguments) => rule(arguments, colour),
         StressCommand::Solve(arguments) => solve(arguments),
     }
@@ -223,7 +226,10 @@ fn rule(arguments: &RuleArguments, colour: bool) -> Result<u8, Failure> {
     let opened = open(&arguments.file, colour)?;
     let engine = &opened.file.engine;
     let traces = if request.gas { trace_files(engine, &arguments.file)? } else { Vec::new() };
-    let found = crank_rule(engine, &traces, &request).map_err(Failure::refused)?;
+    let found = match arguments.with_torsion {
+        true => crank_rule_with_torsion(&opened.file, &traces, &request).map_err(Failure::refused)?,
+        false => crank_rule(engine, &traces, &request).map_err(Failure::refused)?,
+    };
     print(&match arguments.format {
         Format::Text => rule_text(&found),
         Format::Json => json(&found)?,

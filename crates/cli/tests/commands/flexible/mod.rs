@@ -1,5 +1,7 @@
 //! `stress`: static cases, modes, exports, reduced models, decks, refusals.
 
+mod cycle;
+
 use crate::program::{folder, message, number, output, output_json};
 use std::fs;
 use std::path::PathBuf;

@@ -1,0 +1,167 @@
+//! `lanchester stress cycle`: the flexible crankshaft in its bearings.
+
+use super::say;
+use crate::commands::{json, open};
+use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
+use crate::figures::write_figures;
+use crate::files::{print, tell};
+use crate::format::Format;
+use crate::options::stress::CycleArguments;
+use crate::requests::stress::cycle_request;
+use crate::run::table_file;
+use crate::simulation_watch::GoesOn;
+use crate::trace_files::trace_files;
+use crate::watch::is_due;
+use lanchester::report::{CrankCycle, CrankKind, CycleLaw, crank_cycle_figures, cycle_csv, cycle_text};
+use lanchester::task::option;
+use lanchester::{CycleStage, crank_cycle};
+use std::cell::RefCell;
+use std::time::Instant;
+
+pub fn cycle(arguments: &CycleArguments, colour: bool) -> Result<u8, Failure> {
+    let own = &arguments.mesh;
+    let request = cycle_request(arguments)?;
+    let least_film = match &arguments.least_film {
+        Some(text) => Some(option::length(text, "--least-film")?),
+        None => None,
+    };
+    let form = arguments.save.as_deref().map(table_file::form).transpose()?;
+    let opened = open(&own.file, colour)?;
+    let engine = &opened.file.engine;
+    let traces = if request.gas { trace_files(engine, &own.file)? } else { Vec::new() };
+    let goes_on = GoesOn::until_interrupted();
+    let progress = Progress::default();
+    let watch = |stage| {
+        progress.hear(stage);
+        goes_on.now()
+    };
+    let found = crank_cycle(engine, &traces, &request, &watch).map_err(Failure::refused)?;
+    progress.end();
+    if let (Some(path), Some(form)) = (&arguments.save, form) {
+        table_file::save(path, form, found.traces())?;
+        tell(format_args!("{} written", lanchester_files::shown(path)));
+    }
+    if let Some(folder) = &arguments.figures {
+        write_figures(folder, &own.file, &crank_cycle_figures(&found))?;
+    }
+    print(&match arguments.format {
+        Format::Text => cycle_text(&found),
+        Format::Json => json(&found)?,
+        Format::Csv => cycle_csv(&found),
+    })?;
+    Ok(verdict(&found, arguments.safety, least_film))
+}
+
+/// Says which limit fails.
+fn verdict(found: &CrankCycle, safety: Option<f64>, least_film: Option<f64>) -> u8 {
+    let mut status = DONE;
+    if !found.is_sound() {
+        tell("a run has no sound end: see how the cycles ended");
+        status = NOT_AS_EXPECTED;
+    }
+    if let Some(wanted) = safety {
+        match found.static_safety() {
+            Some(safety) if safety >= wanted => {}
+            Some(safety) => {
+                tell(format_args!("the static safety is {safety:.3}, wanted is {wanted}"));
+                status = NOT_AS_EXPECTED;
+            }
+            None => {
+                tell(
+                    "the static safety is not known: give yield_strength or a preset in [crank.material], and fillets",
+                );
+                status = NOT_AS_EXPECTED;
+            }
+        }
+    }
+    if let Some(wanted) = least_film {
+        match found.least_film() {
+            Some(film) if film >= wanted => {}
+            Some(film) => {
+                tell(format_args!(
+                    "the least film is {:.3} um, wanted are {:.3} um",
+                    1e6 * film,
+                    1e6 * wanted
+                ));
+                status = NOT_AS_EXPECTED;
+            }
+            None => {
+                tell("no bearing has an oil film: add film to --bearings");
+                status = NOT_AS_EXPECTED;
+            }
+        }
+    }
+    status
+}
+
+/// What is said on standard error while it runs.
+#[derive(Default)]
+struct Progress(RefCell<Heard>);
+
+#[derive(Default)]
+struct Heard {
+    run: Option<(CycleLaw, CrankKind, usize, Instant)>,
+    cycles: usize,
+    said: Option<f64>,
+}
+
+impl Progress {
+    fn hear(&self, stage: CycleStage) {
+        let CycleStage::Running { law, crank, run, state } = stage else {
+            match stage {
+                CycleStage::Mesh(stage) => say(stage),
+                CycleStage::Reduced(coordinates, nodes) => tell(format_args!(
+                    "reduced: {coordinates} coordinates, stress at {nodes} nodes of fillets"
+                )),
+                CycleStage::Running { .. } => {}
+            }
+            return;
+        };
+        let mut heard = self.0.borrow_mut();
+        if heard.run.is_none_or(|(own, kind, number, _)| (own, kind, number) != (law, crank, run)) {
+            heard.finish();
+            *heard = Heard { run: Some((law, crank, run, Instant::now())), ..Heard::default() };
+        }
+        heard.cycles = state.cycles;
+        let Some((.., began)) = heard.run else { return };
+        let elapsed = began.elapsed().as_secs_f64();
+        if is_due(elapsed, heard.said, false) {
+            heard.said = Some(elapsed);
+            let change = |value: f64| {
+                if value.is_finite() { format!("{value:.1e}") } else { "not known yet".to_owned() }
+            };
+            eprintln!(
+                "{}: cycle {}, {:.0} %; change of orbits {}, of loads {}",
+                heard.name(),
+                state.cycles + 1,
+                100.0 * state.part,
+                change(state.orbit_change),
+                change(state.stress_change)
+            );
+        }
+    }
+
+    fn end(&self) {
+        self.0.borrow().finish();
+    }
+}
+
+impl Heard {
+    fn name(&self) -> String {
+        let Some((law, crank, run, _)) = self.run else { return String::new() };
+        let crank = if crank == CrankKind::Rigid { ", rigid crankshaft" } else { "" };
+        let run = if run > 1 { format!(", run {run} of the free speed") } else { String::new() };
+        format!("{} bearings{crank}{run}", law.name())
+    }
+
+    fn finish(&self) {
+        if let Some((.., began)) = self.run {
+            tell(format_args!(
+                "{}: {} cycles in {:.1} s",
+                self.name(),
+                self.cycles + 1,
+                began.elapsed().as_secs_f64()
+            ));
+        }
+    }
+}

@@ -1,0 +1,98 @@
+//! One law: at constant speed, or with the speed that gas and inertia make.
+
+use super::CycleRequest;
+use crate::inertias::known_inertia;
+use crate::stress::request::StressError;
+use lanchester_flex::train::{
+    CrankTrain, CycleOptions, CycleOutcome, CycleState, FreeFlywheel, ImposedMotion, TrainCycles,
+    run_cycles_watched, run_free,
+};
+use lanchester_mechanism::{CylinderGas, OuterTorque, RippleOutcome, speed_ripple};
+use lanchester_model::Engine;
+use lanchester_report::CycleSpeed;
+use std::f64::consts::TAU;
+
+/// Orders of a free speed over a revolution.
+const ORDERS: f64 = 24.0;
+/// Change of a free speed over its swing that counts as none, and the most runs for it.
+const CHANGE: f64 = 1e-3;
+const RUNS: usize = 12;
+
+/// Cycles of a train with its laws.
+pub(crate) struct LawCycles {
+    pub train: CrankTrain,
+    pub cycles: TrainCycles,
+    /// Runs of a free speed, and its last change.
+    pub free: Option<(usize, f64)>,
+}
+
+impl LawCycles {
+    /// Whether the one who watches said stop.
+    pub fn stopped(&self) -> bool {
+        self.cycles.outcome == CycleOutcome::Stopped
+    }
+}
+
+/// A first guess of a free speed, and what turns freely.
+pub(crate) struct FreeStart {
+    motion: ImposedMotion,
+    flywheel: FreeFlywheel,
+}
+
+/// Where the speed is to swing: how it does of a rigid crankshaft.
+pub(crate) fn free_start(
+    engine: &Engine,
+    gas: Option<&[CylinderGas]>,
+    request: &CycleRequest,
+    speed: f64,
+    period: f64,
+) -> Result<Option<FreeStart>, StressError> {
+    if request.motion == CycleSpeed::Constant {
+        return Ok(None);
+    }
+    let unknown = |reason: &str, hint: &str| StressError::FreeSpeed {
+        reason: reason.to_owned(),
+        hint: hint.to_owned(),
+    };
+    if engine.crankshafts.len() > 1 {
+        return Err(unknown(
+            "the engine has several crankshafts, geared to one another",
+            "ask for constant speed",
+        ));
+    }
+    let ripple = match speed_ripple(engine, gas, speed, &OuterTorque::default(), known_inertia(engine))? {
+        RippleOutcome::Periodic(ripple) => ripple,
+        RippleOutcome::IncompleteInertia(missing) => return Err(unknown(&missing.reason, &missing.fix)),
+        RippleOutcome::Stops(stopped) => return Err(unknown(&stopped.reason, &stopped.fix)),
+    };
+    let orders = (ORDERS * period / TAU).round() as usize;
+    // The torque may repeat sooner than the cylinders do.
+    let times = (period / ripple.period).round().max(1.0) as usize;
+    let motion = ImposedMotion::of_speeds(&ripple.speed.repeat(times), ripple.period * times as f64, orders);
+    let wheel = ripple.inertia.given.flywheel + ripple.inertia.geared;
+    let flywheel = FreeFlywheel {
+        inertia: wheel,
+        train: ripple.inertia.mean - wheel,
+        orders,
+        change: CHANGE,
+        most_runs: RUNS,
+    };
+    Ok(Some(FreeStart { motion, flywheel }))
+}
+
+/// Runs a law.
+pub(crate) fn run_law(
+    mut train: CrankTrain,
+    free: Option<&FreeStart>,
+    options: CycleOptions,
+    watch: &dyn Fn(usize, CycleState) -> bool,
+) -> Result<LawCycles, StressError> {
+    let Some(start) = free else {
+        let cycles = run_cycles_watched(&train, options, &|state| watch(1, state))?;
+        return Ok(LawCycles { train, cycles, free: None });
+    };
+    train.motion = start.motion.clone();
+    let found = run_free(&train, start.flywheel, options, watch)?;
+    train.motion = found.motion;
+    Ok(LawCycles { train, cycles: found.found, free: Some((found.runs, found.change)) })
+}

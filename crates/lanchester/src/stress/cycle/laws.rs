@@ -1,0 +1,171 @@
+//! Laws of the bearings from the engine file.
+
+use super::train::Bearing;
+use crate::bearing_films::{ASSUMED_CLEARANCE, BearingFilms, BearingFilmsError, bearing_films, model_of};
+use crate::stress::request::StressError;
+use lanchester_film::{BearingFilm, Cavitation, FilmTable, JournalBearing};
+use lanchester_flex::train::TrainLaw;
+use lanchester_mechanism::BearingLoads;
+use lanchester_model::{BearingLaw, Engine, Housing};
+use lanchester_report::CycleLaw;
+use std::sync::Arc;
+
+/// Stiffness [N/m] and damping [N s/m] of contacts and bushings where none are given.
+const CONTACT: f64 = 5e8;
+const BUSHING: f64 = 2e9;
+const DAMPING: f64 = 2e4;
+
+/// Laws of all bearings, for every law asked for.
+pub(crate) struct BearingLaws {
+    laws: Vec<(CycleLaw, Vec<TrainLaw>)>,
+    /// Of each bearing the quasi-static film of the rigid crankshaft.
+    films: Vec<Option<BearingFilm>>,
+}
+
+impl BearingLaws {
+    pub fn new(
+        engine: &Engine,
+        loads: &BearingLoads,
+        places: &[Bearing],
+        wanted: &[CycleLaw],
+        notes: &mut Vec<String>,
+    ) -> Result<BearingLaws, StressError> {
+        let has =
+            |law: BearingLaw| wanted.iter().any(|own| places.iter().any(|place| law_of(*own, place) == law));
+        let (mut films, mut tables) = (vec![None; places.len()], Vec::new());
+        let design = engine.bearing_design.as_ref();
+        let mut cavitation = design.and_then(|own| own.oil.cavitation).map_or(Cavitation::Gumbel, model_of);
+        if cavitation == Cavitation::MassConserving {
+            cavitation = Cavitation::Reynolds;
+        }
+        if has(BearingLaw::Film) {
+            let BearingFilms { films: found, assumptions, .. } = bearing_films(engine, loads, &[cavitation])?;
+            for (place, film) in places.iter().zip(&mut films) {
+                *film =
+                    found.iter().find(|own| own.kind == place.kind && own.number == place.number).cloned();
+            }
+            // What holds for quasi-static films alone is left out.
+            let kept = assumptions.into_iter().filter(|own| !own.contains("quasi-static"));
+            notes.extend(kept.map(|own| format!("Films: {own}.")));
+            if design.is_none_or(|own| own.oil.viscosity.is_none()) {
+                notes.push(
+                    "Viscosity of each film: that of its heat balance as a quasi-static film of the rigid crankshaft."
+                        .to_owned(),
+                );
+            }
+        }
+        let lacks = |of: fn(&Bearing) -> bool| places.iter().any(of);
+        if has(BearingLaw::Contact) && lacks(|own| own.data.stiffness.is_none()) {
+            notes.push(format!(
+                "Contacts without a stiffness or damping in the file: {CONTACT:.0e} N/m, {DAMPING:.0e} N s/m."
+            ));
+        }
+        if has(BearingLaw::Bushing) && lacks(|own| own.data.stiffness.is_none()) {
+            notes.push(format!(
+                "Bushings without a stiffness or damping in the file: {BUSHING:.0e} N/m, {DAMPING:.0e} N s/m."
+            ));
+        }
+        if has(BearingLaw::Contact)
+            && !has(BearingLaw::Film)
+            && lacks(|own| own.data.diametral_clearance.is_none())
+        {
+            notes.push(format!(
+                "Diametral clearance where none is given: {ASSUMED_CLEARANCE} of the diameter."
+            ));
+        }
+        if lacks(|own| matches!(own.data.housing, Some(Housing::Stiffness(_)))) {
+            notes.push("The stiffness of the housings is left out: shells stand still.".to_owned());
+        }
+        let mut own = BearingLaws { laws: Vec::new(), films };
+        for law in wanted {
+            let laws = places
+                .iter()
+                .zip(&own.films)
+                .map(|(place, film)| build(engine, *law, place, film.as_ref(), cavitation, &mut tables))
+                .collect::<Result<Vec<TrainLaw>, StressError>>()?;
+            own.laws.push((*law, laws));
+        }
+        Ok(own)
+    }
+
+    /// One law a bearing.
+    pub fn of(&self, law: CycleLaw) -> &[TrainLaw] {
+        self.laws.iter().find(|(own, _)| *own == law).map_or(&[], |(_, laws)| laws)
+    }
+
+    /// Least film of a bearing of the rigid crankshaft, quasi-static [m].
+    pub fn quasi_static(&self, bearing: usize) -> Option<f64> {
+        Some(self.films.get(bearing)?.as_ref()?.orbit.least_film)
+    }
+}
+
+fn law_of(law: CycleLaw, place: &Bearing) -> BearingLaw {
+    match law {
+        CycleLaw::Rigid => BearingLaw::Rigid,
+        CycleLaw::Contact => BearingLaw::Contact,
+        CycleLaw::Bushing => BearingLaw::Bushing,
+        CycleLaw::Film => BearingLaw::Film,
+        CycleLaw::File => place.data.model.unwrap_or(BearingLaw::Film),
+    }
+}
+
+fn build(
+    engine: &Engine,
+    law: CycleLaw,
+    place: &Bearing,
+    film: Option<&BearingFilm>,
+    cavitation: Cavitation,
+    tables: &mut Vec<Arc<FilmTable>>,
+) -> Result<TrainLaw, StressError> {
+    let clearance = 0.5 * place.data.diametral_clearance.unwrap_or(ASSUMED_CLEARANCE * place.diameter);
+    let stiffness = |usual: f64| place.data.stiffness.unwrap_or(usual);
+    let damping = place.data.damping.unwrap_or(DAMPING);
+    let refused = |error| StressError::Bearing { bearing: place.name(), error };
+    Ok(match law_of(law, place) {
+        BearingLaw::Rigid => TrainLaw::Rigid,
+        BearingLaw::Contact => TrainLaw::Contact { clearance, stiffness: stiffness(CONTACT), damping },
+        BearingLaw::Bushing => TrainLaw::bushing(stiffness(BUSHING), damping),
+        BearingLaw::Film => {
+            let bearing =
+                JournalBearing::new(0.5 * place.diameter, place.surface.width, clearance).map_err(refused)?;
+            let slenderness = bearing.slenderness();
+            let known = |table: &&Arc<FilmTable>| (table.slenderness() / slenderness - 1.0).abs() < 1e-9;
+            let table = match tables.iter().find(known) {
+                Some(table) => Arc::clone(table),
+                None => {
+                    let table = Arc::new(FilmTable::new(slenderness, cavitation).map_err(refused)?);
+                    tables.push(Arc::clone(&table));
+                    table
+                }
+            };
+            let oil = engine.bearing_design.as_ref().map(|design| &design.oil);
+            let viscosity = film.map(|film| film.viscosity).or(oil.and_then(|oil| oil.viscosity));
+            let viscosity = viscosity.ok_or(StressError::Films(BearingFilmsError::NoSizes))?;
+            let roughness = oil.and_then(|oil| oil.roughness).unwrap_or(0.0);
+            TrainLaw::Film { bearing, table, viscosity, roughness }
+        }
+    })
+}
+
+/// A law with its numbers, in words.
+pub(crate) fn law_words(law: &TrainLaw) -> String {
+    let short = |value: f64| format!("{value:.3e}");
+    match law {
+        TrainLaw::Rigid => "rigid".to_owned(),
+        TrainLaw::Contact { clearance, stiffness, damping } => format!(
+            "contact, {:.2} um radial clearance, {} N/m, {} N s/m",
+            1e6 * clearance,
+            short(*stiffness),
+            short(*damping)
+        ),
+        TrainLaw::Bushing { stiffness, damping } => {
+            format!("bushing, {} N/m, {} N s/m", short(stiffness[0][0]), short(damping[0][0]))
+        }
+        TrainLaw::Film { bearing, table, viscosity, .. } => format!(
+            "film ({}), {:.2} um radial clearance, {:.3} mPa s",
+            table.cavitation().name(),
+            1e6 * bearing.clearance,
+            1e3 * viscosity
+        ),
+    }
+}

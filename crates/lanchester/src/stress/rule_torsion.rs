@@ -1,0 +1,82 @@
+//! The sheet of formulas with the torsional vibration of the engine's own chain.
+
+use crate::pressure::measured::TraceFile;
+use crate::stress::rule::{CrankRuleError, RuleRequest, crank_rule};
+use crate::torsion_study::{EngineTorsionError, TorsionRequest, torsion};
+use lanchester_file::EngineFile;
+use lanchester_report::{CrankRule, TorsionResult};
+
+/// Why there is no such sheet.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum RuleTorsionError {
+    /// The sheet.
+    #[error(transparent)]
+    Rule(#[from] CrankRuleError),
+    /// The chain.
+    #[error(transparent)]
+    Torsion(#[from] EngineTorsionError),
+}
+
+/// How far beside a speed the chain is looked at too.
+const BESIDE: f64 = 0.02;
+
+/// The sheet of a crankshaft; at each speed every throw has the torque that the shafts beside it in the torsional chain carry, where that is more than
+/// the one of a rigid crankshaft. `request.vibration` does not count.
+///
+/// # Errors
+/// [`RuleTorsionError`] where the file says too little for either.
+pub fn crank_rule_with_torsion(
+    file: &EngineFile,
+    traces: &[TraceFile],
+    request: &RuleRequest,
+) -> Result<CrankRule, RuleTorsionError> {
+    let engine = &file.engine;
+    let still = crank_rule(engine, traces, &RuleRequest { vibration: Vec::new(), ..request.clone() })?;
+    let mut whole: Option<CrankRule> = None;
+    for sheet in &still.speeds {
+        let speed = sheet.speed;
+        let speeds = vec![speed * (1.0 - BESIDE), speed, speed * (1.0 + BESIDE)];
+        let asked = TorsionRequest { speeds, without_gas: !request.gas, ..TorsionRequest::default() };
+        let found = torsion(file, traces, &asked)?;
+        let vibration: Vec<f64> =
+            sheet.throws.iter().map(|own| beyond_rigid(&found, own.throw - 1, own.torques)).collect();
+        let one = RuleRequest { speeds: vec![speed], vibration, ..request.clone() };
+        let mut sheet = crank_rule(engine, traces, &one)?;
+        match &mut whole {
+            Some(whole) => whole.speeds.append(&mut sheet.speeds),
+            None => whole = Some(sheet),
+        }
+    }
+    let mut whole = whole.unwrap_or(still);
+    let words = "The amplitude of torsional vibration is that of the engine's torsional chain at each speed: what the shafts beside a throw carry in true phase of all orders beyond the \
+                 torque of a rigid crankshaft.";
+    match whole.notes.iter_mut().find(|note| note.contains("torsional vibration as given")) {
+        Some(note) => {
+            *note = note.replace(
+                "plus the amplitude of torsional vibration as given.",
+                "plus that of torsional vibration.",
+            );
+            note.push(' ');
+            note.push_str(words);
+        }
+        None => whole.notes.push(words.to_owned()),
+    }
+    Ok(whole)
+}
+
+/// What the shafts beside a throw carry beyond these torques in front and behind [N m], at the middle speed.
+fn beyond_rigid(found: &TorsionResult, throw: usize, rigid: [f64; 2]) -> f64 {
+    let chain = &found.crank.chain;
+    let Some(station) = found.crank.throws.get(throw).copied() else { return 0.0 };
+    let of = |shaft: &lanchester_torsion::ShaftSweep| {
+        let own = &chain.shafts()[shaft.shaft];
+        let torque = match (own.from == station, own.to == station) {
+            (true, _) => rigid[1],
+            (_, true) => rigid[0],
+            _ => return 0.0,
+        };
+        shaft.total.get(1).map_or(0.0, |total| (total - torque).max(0.0))
+    };
+    found.sweep.shafts.iter().map(of).fold(0.0, f64::max)
+}

@@ -1,0 +1,194 @@
+//! The flexible crankshaft over the cycle: limits that other computations know.
+
+use lanchester::flex::crank_mesh::CrankMeshOptions;
+use lanchester::flex::train::{BasisOptions, CycleOutcome};
+use lanchester::mechanism::{OuterTorque, RippleOutcome, speed_ripple};
+use lanchester::model::Engine;
+use lanchester::report::{
+    Condition, CrankCycle, CrankKind, CrossVerdict, CycleLaw, CycleSpeed, crank_cycle_figures, cycle_csv,
+};
+use lanchester::{
+    CrossCheckRequest, CycleRequest, CycleStage, StressMesh, crank_cycle, crosscheck, cylinder_gas,
+    rotating_bodies,
+};
+use std::f64::consts::PI;
+
+const FILE: &str = r#"
+name = "single"
+speed = ["4000 rpm"]
+strokes = 4
+[layout]
+type = "in-line"
+cylinders = 1
+spacing = "90 mm"
+[firing]
+order = [1]
+[crank]
+stroke = "95.5 mm"
+web_distance = "48 mm"
+[crank.body]
+density = "7850 kg/m3"
+journal_diameter = "55 mm"
+pin_diameter = "48 mm"
+web_thickness = "20 mm"
+web_radius = "40 mm"
+pin_end_radius = "36 mm"
+end_journals = ["25 mm", "25 mm"]
+pin_fillet = "4 mm"
+journal_fillet = "4 mm"
+[crank.material]
+preset = "42CrMo4 quenched and tempered"
+[piston]
+mass = "0.5 kg"
+bore = "86 mm"
+[rod]
+length = "150 mm"
+mass = "0.6 kg"
+[flywheel]
+inertia = "0.2 kg m2"
+[gas]
+compression_ratio = 10
+cycle = { type = "otto" }
+fuel = { energy = "800 J" }
+"#;
+
+fn engine() -> Engine {
+    lanchester::file::read(FILE).engine().unwrap()
+}
+
+fn request(laws: &[CycleLaw]) -> CycleRequest {
+    let options = CrankMeshOptions { size: 0.02, fillet_elements: 2, ..CrankMeshOptions::default() };
+    CycleRequest {
+        mesh: StressMesh { options, ..StressMesh::default() },
+        laws: laws.to_vec(),
+        rigid_crank: true,
+        basis: BasisOptions { modes: 6, ..BasisOptions::default() },
+        instants: 96,
+        ..CycleRequest::default()
+    }
+}
+
+fn largest(loads: &[[f64; 2]]) -> f64 {
+    loads.iter().map(|[x, y]| x.hypot(*y)).fold(0.0, f64::max)
+}
+
+fn run<'a>(found: &'a CrankCycle, law: CycleLaw, crank: CrankKind) -> &'a lanchester::report::CycleRun {
+    found.runs.iter().find(|run| run.law == law && run.crank == crank).unwrap()
+}
+
+/// Centrifugal load of the two fillets of the pin on each of the two mains at 4000 rpm [N]: by Pappus's rule, 4 mm about a pin of 48 mm, at 47.75 mm.
+fn load_of_fillets() -> f64 {
+    let (radius, pin, throw) = (4e-3, 24e-3, 47.75e-3);
+    let area = (1.0 - PI / 4.0) * radius * radius;
+    // Middle of the region between two lines at right angles and the arc that touches both.
+    let middle = radius * (10.0 - 3.0 * PI) / (3.0 * (4.0 - PI));
+    let mass = 7850.0 * area * 2.0 * PI * (pin + middle);
+    mass * throw * (4000.0 * PI / 30.0f64).powi(2)
+}
+
+#[test]
+fn a_rigid_crankshaft_has_the_loads_of_the_simulation_and_the_films_of_its_own_kind() {
+    let asked = CycleRequest { gas: false, ..request(&CycleLaw::FOUR) };
+    let found = crank_cycle(&engine(), &[], &asked, &|_| true).unwrap();
+    assert_eq!(found.runs.len(), 8);
+    let rules = found.rules.as_ref().unwrap();
+    let rigid = run(&found, CycleLaw::Rigid, CrankKind::Rigid);
+    for main in 0..2 {
+        let theirs = &rules.loads[main][0];
+        let ours = &rigid.bearings[main].load;
+        assert_eq!(ours.len(), theirs.len());
+        let apart: Vec<[f64; 2]> = ours.iter().zip(theirs).map(|(a, b)| [a[0] - b[0], a[1] - b[1]]).collect();
+        // The mesh has the fillets of the pin, which the file's numbers have not; with them alone both are the same.
+        assert!((largest(&apart) / load_of_fillets() - 1.0).abs() < 0.02, "{main}: {}", largest(&apart));
+    }
+    // By inertia a film of the dynamic rigid crankshaft is that of the massless journal.
+    let film = run(&found, CycleLaw::Film, CrankKind::Rigid);
+    for own in &film.bearings {
+        let least = own.film.unwrap();
+        let ratio = least.thickness / least.quasi_static.unwrap();
+        // The fillets' mass, and a sample every 3.75 deg.
+        assert!((ratio - 1.0).abs() < 0.01, "{}: {ratio}", own.name());
+        assert!(
+            (least.at_ends / least.thickness - 1.0).abs() < 1e-9,
+            "a rigid crankshaft on two like mains has no slope"
+        );
+    }
+    for own in &found.runs {
+        assert!(own.energy_error <= 1e-4, "{}: {}", own.name(), own.energy_error);
+        assert_eq!(own.outcome, CycleOutcome::Periodic, "{}", own.name());
+        assert_eq!(own.fillets.len(), if own.crank == CrankKind::Flexible { 4 } else { 0 });
+    }
+    assert!(found.is_sound() && found.static_safety().unwrap() > 1.0);
+    // A bearing that yields lets the centres part by load over stiffness about; none goes through its contact.
+    let bushing = run(&found, CycleLaw::Bushing, CrankKind::Flexible);
+    let own = &bushing.bearings[0];
+    let ratio = own.largest_eccentricity * 2e9 / own.largest_load;
+    assert!((ratio - 1.0).abs() < 0.1, "{ratio}");
+    let (heads, rows) = found.traces();
+    // One period of an engine without gas: a revolution; law and angle, speed, torque, four of each bearing, four fillets.
+    assert_eq!(
+        (heads.len(), rows.len()),
+        (4 + 4 * 3 + 4, found.runs.iter().map(|run| run.theta.len()).sum())
+    );
+    assert!(rows.iter().all(|(_, row)| row.len() + 1 == heads.len()));
+    assert_eq!(crank_cycle_figures(&found).len(), 4);
+    assert!(cycle_csv(&found).contains("pin 1 at web 1,von Mises"));
+}
+
+#[test]
+fn a_free_rigid_crankshaft_swings_as_the_closed_form_says() {
+    let engine = engine();
+    let asked = CycleRequest { motion: CycleSpeed::Free, ..request(&[CycleLaw::Rigid]) };
+    let found = crank_cycle(&engine, &[], &asked, &|_| true).unwrap();
+    let gas = cylinder_gas(&engine, &[], engine.speed.highest).unwrap();
+    let known = lanchester::mechanism::KnownInertia::of_bodies(&rotating_bodies(&engine));
+    let ripple =
+        speed_ripple(&engine, Some(&gas.cylinders), engine.speed.highest, &OuterTorque::default(), known)
+            .unwrap();
+    let RippleOutcome::Periodic(ripple) = ripple else { panic!("{ripple:?}") };
+    let rigid = run(&found, CycleLaw::Rigid, CrankKind::Rigid);
+    let (low, high) = rigid.speed.iter().fold((f64::INFINITY, 0.0f64), |(a, b), w| (a.min(*w), b.max(*w)));
+    let swing = ripple.extremes.range();
+    // Orders above the 24th of a revolution, samples every 3.75 deg, the mesh's inertia beside the file's.
+    assert!((low - ripple.extremes.min.value).abs() < 0.01 * swing, "{low} {:?}", ripple.extremes);
+    assert!((high - ripple.extremes.max.value).abs() < 0.01 * swing, "{high} {:?}", ripple.extremes);
+    let (runs, change) = rigid.speed_runs.unwrap();
+    assert!(runs <= 4 && change <= 1e-3, "{runs} {change}");
+    // The flexible one turns its flywheel much the same.
+    let flexible = run(&found, CycleLaw::Rigid, CrankKind::Flexible);
+    let top = flexible.speed.iter().copied().fold(0.0, f64::max);
+    assert!((top - high).abs() < 0.1 * swing, "{top} {high}");
+    assert!(flexible.worst().unwrap().peak > 1e6 && flexible.energy_error <= 1e-4);
+}
+
+#[test]
+fn what_is_stopped_is_told_so_far() {
+    let first = |stage: CycleStage| !matches!(stage, CycleStage::Running { law: CycleLaw::Film, .. });
+    let asked =
+        CycleRequest { gas: false, rigid_crank: false, ..request(&[CycleLaw::Rigid, CycleLaw::Film]) };
+    let found = crank_cycle(&engine(), &[], &asked, &first).unwrap();
+    assert_eq!(found.runs[0].outcome, CycleOutcome::Periodic);
+    assert_eq!(found.runs[1].outcome, CycleOutcome::Stopped);
+    assert!(found.runs[1].bearings.is_empty() && !found.is_sound());
+}
+
+#[test]
+fn the_last_rung_agrees_where_it_must() {
+    let request =
+        CrossCheckRequest { conditions: vec![Condition::FlexibleCrank], ..CrossCheckRequest::default() };
+    let check = crosscheck(&engine(), &[], &request).unwrap();
+    let rows = &check.conditions[0].rows;
+    assert!(check.agrees() && rows.len() == 3, "{rows:?}");
+    assert_eq!(rows[0].verdict, CrossVerdict::Agrees);
+    assert!(rows[0].share() <= 1e-4, "{:?}", rows[0]);
+    // A mesh with sharp corners has the masses of the file's numbers; an elastic crankshaft rings behind the jump of the pressure.
+    assert_eq!(rows[1].verdict, CrossVerdict::Agrees, "{:?}", rows[1]);
+    assert!(rows[2].verdict == CrossVerdict::DiffersAsItMust && rows[2].reason.is_some(), "{:?}", rows[2]);
+    let bare =
+        lanchester::file::read(lanchester::file::template("in-line-4").unwrap().text).engine().unwrap();
+    let check = crosscheck(&bare, &[], &request).unwrap();
+    assert!(check.conditions[0].not_applicable.as_ref().unwrap().contains("[crank.body]"));
+    // Not asked for, it does not run.
+    let usual = crosscheck(&bare, &[], &CrossCheckRequest::default()).unwrap();
+    assert_eq!(usual.conditions.len(), 4);
+}
