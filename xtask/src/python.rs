@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 /// What wheel, tests and notebooks need from PyPI. The oldest versions that are known to do; numpy's types need 2.
-const PACKAGES: [&str; 11] = [
+const PACKAGES: [&str; 14] = [
     "maturin>=1.16,<2",
     "numpy>=2",
     "pytest>=9",
@@ -23,6 +23,9 @@ const PACKAGES: [&str; 11] = [
     "nbclient>=0.10",
     "nbformat>=5.10",
     "ipykernel>=6",
+    "distributed>=2024.8",
+    "pyNastran>=1.4",
+    "pyuff>=2.4",
 ];
 
 /// Packages that the package's tree has and the program's has not: what a Python module is made with.
@@ -40,6 +43,11 @@ pub fn run(arguments: &[String]) -> Result<String> {
         }
     }
     shares_features()?;
+    // Answers are compared with those of the command line.
+    let mut program = cargo();
+    program.args(["build", "--release", "--workspace", "--bin", "lanchester"]);
+    quiet(program.current_dir(root()))?;
+    let program = target()?.join("release").join(format!("lanchester{}", std::env::consts::EXE_SUFFIX));
     let python = environment()?;
     let wheel = build(&python, dev)?;
     let install =
@@ -57,6 +65,7 @@ pub fn run(arguments: &[String]) -> Result<String> {
                 "--pyargs",
                 "lanchester",
             ])
+            .env("LANCHESTER_PROGRAM", &program)
             .current_dir(root()),
     )?;
     let sources =

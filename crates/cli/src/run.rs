@@ -8,10 +8,11 @@ mod head;
 mod progress;
 mod table_file;
 
-pub use head::{Head, Held};
+pub use lanchester::run::{Head, Held};
 
 use crate::failure::{Failure, NOT_AS_EXPECTED};
 use folder::Folder;
+use head::held_of;
 use lanchester::run::{Study, part, stretch};
 use lanchester::table::{Form, Rows};
 use lanchester_files::shown;
@@ -87,7 +88,7 @@ pub fn run_into<S: Study>(
     if let Some(held) = table_file::held(path)? {
         if held.head == *head && held.blocks == blocks {
             eprintln!("{} holds this already; nothing is computed again", shown(path));
-            return held.kept();
+            return Ok(held.kept()?);
         }
         return Err(Failure::input(
             format_args!("{} holds something else and is not overwritten", shown(path)),
@@ -153,7 +154,7 @@ pub fn run_into<S: Study>(
 
 /// What a part holds.
 pub fn read_held(path: &Path) -> Result<Held, Failure> {
-    Held::of(&table_file::open(path)?, path)
+    held_of(&table_file::open(path)?, path)
 }
 
 /// Refuses the name of a table that is no table's, or under which something stands.
@@ -191,7 +192,7 @@ pub fn join_tables<S: Study>(
         }
         for table in tables {
             let mut reader = table_file::open(table)?;
-            let held = Held::of(&reader, table)?;
+            let held = held_of(&reader, table)?;
             while let Some(rows) =
                 reader.next(&columns).map_err(|error| table_file::cannot_read_rows(table, &held, error))?
             {
