@@ -4,7 +4,7 @@
 //! 17](../../docs/decisions/0017-long-runs-and-their-tables.md)).
 
 use crate::answer::{Answer, Data};
-use crate::cases::case_blocks;
+use crate::cases::{Slice, case_blocks};
 use crate::failure::Failure;
 use crate::guard::{Watch, unlocked, waited_for};
 use crate::native_engine::NativeEngine;
@@ -34,11 +34,11 @@ pub trait Blocks: Send + Sync {
     /// What all its tables have alike.
     fn head(&self) -> &Head;
 
-    /// The table of a stretch of blocks, as Parquet.
+    /// The table of a stretch of blocks, as Parquet; `told` is what it says of itself where these are blocks of a larger study.
     ///
     /// # Errors
     /// Where a block cannot be computed.
-    fn table(&self, blocks: Range<u64>, watch: &Watch) -> Result<Vec<u8>, Failure>;
+    fn table(&self, blocks: Range<u64>, told: Option<Told>, watch: &Watch) -> Result<Vec<u8>, Failure>;
 
     /// The answer of the whole study from the tables of all its blocks, in any order; with `whole`, these become one table there.
     ///
@@ -46,6 +46,9 @@ pub trait Blocks: Send + Sync {
     /// Where they are not all tables of this study, or one is damaged.
     fn join(&self, tables: &[PathBuf], whole: Option<&Path>) -> Result<Option<Data>, Failure>;
 }
+
+/// What a table says of itself: head, blocks, blocks of the whole study.
+pub type Told = (Head, Range<u64>, u64);
 
 /// The answer of a study from what is kept of all its blocks.
 pub type Answered<S> = Box<dyn Fn(&S, &<S as Study>::Kept) -> Result<Option<Data>, Failure> + Send + Sync>;
@@ -121,7 +124,7 @@ impl<S: Study + Send> Blocks for Tabled<S> {
         &self.head
     }
 
-    fn table(&self, blocks: Range<u64>, watch: &Watch) -> Result<Vec<u8>, Failure> {
+    fn table(&self, blocks: Range<u64>, told: Option<Told>, watch: &Watch) -> Result<Vec<u8>, Failure> {
         let study = &self.study;
         let columns = study.columns();
         let (mut kept, mut rows) = (study.nothing(), Rows::empty(&columns));
@@ -138,7 +141,11 @@ impl<S: Study + Send> Blocks for Tabled<S> {
         let mut bytes = Vec::new();
         let mut writer = TableWriter::new(Form::Parquet, &mut bytes, &columns).map_err(Failure::refused)?;
         writer.push(rows).map_err(Failure::refused)?;
-        writer.finish(&self.metadata(blocks, &kept)?).map_err(Failure::refused)?;
+        let metadata = match told {
+            Some((head, blocks, of)) => head.metadata(blocks, of, &kept)?,
+            None => self.metadata(blocks, &kept)?,
+        };
+        writer.finish(&metadata).map_err(Failure::refused)?;
         Ok(bytes)
     }
 
@@ -216,6 +223,7 @@ fn cannot_write(path: &Path, error: &dyn std::fmt::Display) -> Failure {
 #[pyclass(frozen, name = "Study", module = "lanchester._native")]
 pub struct NativeStudy {
     blocks: Arc<dyn Blocks>,
+    texts: Vec<String>,
 }
 
 #[pymethods]
@@ -237,6 +245,12 @@ impl NativeStudy {
         head_of(py, self.blocks.head())
     }
 
+    /// Of a study of engines that differ in keys: the keys whose column is of texts.
+    #[getter]
+    fn texts(&self) -> Vec<String> {
+        self.texts.clone()
+    }
+
     /// The blocks of part `number` (from 1) of `parts`.
     fn part(&self, number: u64, parts: u64) -> Option<(u64, u64)> {
         part(self.blocks.blocks(), number, parts).map(|blocks| (blocks.start, blocks.end))
@@ -250,7 +264,36 @@ impl NativeStudy {
             return Err(Failure::option(message, "they are counted from 0, the end excluded").into());
         }
         let blocks = self.blocks.clone();
-        let bytes = waited_for(py, move |watch| blocks.table(first..end, watch))?;
+        let bytes = waited_for(py, move |watch| blocks.table(first..end, None, watch))?;
+        Ok(PyBytes::new(py, &bytes))
+    }
+
+    /// The table of all these engines as blocks `first` to `end` of the study of `of` blocks that `head` tells of.
+    fn slice<'py>(
+        &self,
+        py: Python<'py>,
+        head: &Bound<'py, PyDict>,
+        first: u64,
+        end: u64,
+        of: u64,
+    ) -> PyResult<Bound<'py, PyBytes>> {
+        let own = self.blocks.blocks();
+        if first.checked_add(own) != Some(end) || end > of {
+            let message = format!("{own} blocks of engines are not blocks {first} to {end} of {of}");
+            return Err(Failure::option(message, "give the engines of these blocks").into());
+        }
+        let text = |key: &str| -> PyResult<String> {
+            head.get_item(key)?.ok_or_else(|| Failure::Internal(format!("a head without {key}")))?.extract()
+        };
+        let head = Head {
+            study: text("study")?,
+            version: text("version")?,
+            request: text("request")?,
+            engine: text("engine")?,
+        };
+        let blocks = self.blocks.clone();
+        let told = Some((head, first..end, of));
+        let bytes = waited_for(py, move |watch| blocks.table(0..own, told, watch))?;
         Ok(PyBytes::new(py, &bytes))
     }
 
@@ -264,25 +307,30 @@ impl NativeStudy {
 }
 
 /// A study in blocks: of layouts (`explore`), of production (`scatter`), or any other question about many engines, of which `pick` names the
-/// numbers that are kept.
+/// numbers that are kept; `start` and `texts` where they are a slice of the engines of a study.
 #[pyfunction]
-#[pyo3(signature = (name, engines, options, columns=None, pick=None))]
+#[pyo3(signature = (name, engines, options, columns=None, pick=None, start=0, texts=None))]
 pub fn study(
     name: &str,
     engines: Vec<PyRef<'_, NativeEngine>>,
     options: Bound<'_, PyDict>,
     columns: Option<Bound<'_, PyDict>>,
     pick: Option<Vec<String>>,
+    start: usize,
+    texts: Option<Vec<String>>,
 ) -> PyResult<NativeStudy> {
     let found = match (&pick, engines.as_slice()) {
         (None, [engine]) => questions::blocks(name, &Options::new(options.clone()), &engine.prepared)?,
         _ => None,
     };
-    let found = match found {
-        Some(found) => found,
-        None => case_blocks(name, &engines, &options, columns, pick.unwrap_or_default())?,
+    let (found, texts) = match found {
+        Some(found) => (found, Vec::new()),
+        None => {
+            let slice = Slice { start, texts };
+            case_blocks(name, &engines, &options, columns, pick.unwrap_or_default(), slice)?
+        }
     };
-    Ok(NativeStudy { blocks: found.into() })
+    Ok(NativeStudy { blocks: found.into(), texts })
 }
 
 /// What a table of a study holds, every byte of it verified: study, version, request, engine, first block, end, blocks of the study.

@@ -23,7 +23,7 @@ use std::fmt;
 use std::ops::Range;
 
 /// Engines of a block.
-const BLOCK: u64 = 16;
+pub const BLOCK: u64 = 16;
 
 /// The question of a study as its tables keep it.
 #[derive(Serialize)]
@@ -56,6 +56,19 @@ struct CaseStudy {
     engines: Engines,
     run: Run,
     pick: Vec<(String, Vec<Step>)>,
+    /// Number of the first engine: a slice of a study counts on.
+    start: usize,
+    /// Keys whose column is of texts.
+    texts: Vec<String>,
+}
+
+/// Where engines are a slice of those of a study.
+#[derive(Default)]
+pub struct Slice {
+    /// Number of the first engine.
+    pub start: usize,
+    /// Keys whose column is of texts in the whole study; by the values where it is not given.
+    pub texts: Option<Vec<String>>,
 }
 
 impl CaseStudy {
@@ -74,7 +87,7 @@ impl CaseStudy {
             Engines::Changed { columns, .. } => {
                 let column = |(key, values): &(String, Vec<Value>)| {
                     let own = &values[places.clone()];
-                    if values.iter().all(|value| value.is_number() || value.is_null()) {
+                    if !self.texts.contains(key) {
                         let number = |value: &Value| value.as_f64().unwrap_or(f64::NAN);
                         return (Column::real(key), Values::Real(own.iter().map(number).collect()));
                     }
@@ -120,12 +133,13 @@ impl Study for CaseStudy {
                 let data = (self.run)(&[self.engines.at(place)?], &Watch::default())?;
                 self.pick.iter().map(|(_, path)| number_at(&data, path)).collect::<Result<Vec<f64>, _>>()
             });
-            row.map_err(|failure| CaseError(numbered(failure, place)))
+            row.map_err(|failure| CaseError(numbered(failure, self.start + place)))
         };
         // In their order, so that the failure is that of the first engine that has one.
         let rows: Vec<_> = places.clone().into_par_iter().map(one).collect();
         let rows = rows.into_iter().collect::<Result<Vec<_>, _>>()?;
-        let mut columns = vec![Values::Whole(places.clone().map(|place| place as i64).collect())];
+        let mut columns =
+            vec![Values::Whole(places.clone().map(|place| (self.start + place) as i64).collect())];
         columns.extend(self.given(places).into_iter().map(|(_, values)| values));
         let picked = |place: usize| Values::Real(rows.iter().map(|row| row[place]).collect());
         columns.extend((0..self.pick.len()).map(picked));
@@ -142,6 +156,7 @@ impl Study for CaseStudy {
 }
 
 /// The study of a question about engines, or about one engine with `columns` of values by key; `pick` has the paths of the numbers that are kept.
+/// Behind it the keys whose column is of texts.
 ///
 /// # Errors
 /// Where an argument cannot be used.
@@ -151,7 +166,8 @@ pub fn case_blocks(
     options: &Bound<'_, PyDict>,
     columns: Option<Bound<'_, PyDict>>,
     pick: Vec<String>,
-) -> Result<Box<dyn Blocks>, Failure> {
+    slice: Slice,
+) -> Result<(Box<dyn Blocks>, Vec<String>), Failure> {
     let run = (question(name)?.read)(&Options::new(options.clone()))?;
     let engines = engines_of(engines, columns)?;
     if pick.is_empty() {
@@ -199,7 +215,15 @@ pub fn case_blocks(
     let head = Head::new("cases", &saved, &engine)?;
     let read = |path: String| steps(&path).map(|steps| (path.clone(), steps)).ok_or_else(|| no_path(&path));
     let pick = pick.into_iter().map(read).collect::<Result<Vec<_>, _>>()?;
-    let study = CaseStudy { engines, run, pick };
+    let is_plain = |value: &Value| value.is_number() || value.is_null();
+    let texts = slice.texts.unwrap_or_else(|| match &engines {
+        Engines::Given(_) => Vec::new(),
+        Engines::Changed { columns, .. } => {
+            let texts = columns.iter().filter(|(_, values)| !values.iter().all(is_plain));
+            texts.map(|(key, _)| key.clone()).collect()
+        }
+    });
+    let study = CaseStudy { engines, run, pick, start: slice.start, texts: texts.clone() };
     let mut names: Vec<String> = study.columns().into_iter().map(|column| column.name).collect();
     names.sort();
     if let Some(pair) = names.windows(2).find(|pair| pair[0] == pair[1]) {
@@ -208,5 +232,6 @@ pub fn case_blocks(
             "name every path and key once, and pick no path that is named as a key",
         ));
     }
-    Ok(Box::new(Tabled { study, head, fail: |error: CaseError| error.0, answer: Box::new(|_, ()| Ok(None)) }))
+    let fail = |error: CaseError| error.0;
+    Ok((Box::new(Tabled { study, head, fail, answer: Box::new(|_, ()| Ok(None)) }), texts))
 }

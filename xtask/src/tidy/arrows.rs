@@ -4,7 +4,7 @@ use serde_json::Value;
 
 /// Each crate and the workspace crates that it may name as normal dependencies. A crate that is not here may not
 /// exist: a new room needs a decision record and a line.
-const ARROWS: [(&str, &[&str]); 31] = [
+const ARROWS: [(&str, &[&str]); 32] = [
     ("lanchester-numerics", &[]),
     ("lanchester-shape", &[]),
     ("lanchester-units", &[]),
@@ -60,6 +60,7 @@ const ARROWS: [(&str, &[&str]); 31] = [
     ("lanchester-strength", &["lanchester-model"]),
     ("lanchester-torsion", &["lanchester-model", "lanchester-numerics"]),
     ("lanchester-table", &[]),
+    ("lanchester-exchange", &[]),
     (
         "lanchester-report",
         &[
@@ -102,6 +103,7 @@ const ARROWS: [(&str, &[&str]); 31] = [
             "lanchester-results",
             "lanchester-study",
             "lanchester-table",
+            "lanchester-exchange",
         ],
     ),
     ("lanchester-validation", &["lanchester"]),

@@ -1,0 +1,9 @@
+//! Loads of an engine for other programs.
+
+pub(crate) mod force_table;
+pub(crate) mod history;
+pub(crate) mod rigid_train;
+
+pub use force_table::{ForceTableError, ForceTableRequest, LoadedPoints, force_table};
+pub use history::{LoadHistory, load_history};
+pub use rigid_train::{RigidTrainError, rigid_train};
