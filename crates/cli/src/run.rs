@@ -14,7 +14,7 @@ use crate::failure::{Failure, NOT_AS_EXPECTED};
 use folder::Folder;
 use head::held_of;
 use lanchester::run::{Study, part, stretch};
-use lanchester::table::{Form, Rows};
+use lanchester::table::{Column, Form, Rows};
 use lanchester_files::shown;
 use progress::Progress;
 use std::ops::Range;
@@ -202,6 +202,25 @@ pub fn join_tables<S: Study>(
         Ok(())
     })?;
     Ok(kept)
+}
+
+/// Writes rows that are there already as a table, which must not exist.
+pub fn write_rows(
+    path: &Path,
+    columns: &[Column],
+    rows: Rows,
+    metadata: &[(String, String)],
+) -> Result<(), Failure> {
+    let form = table_file::form(path)?;
+    if std::fs::symlink_metadata(path).is_ok_and(|there| there.is_file()) {
+        return Err(Failure::input(
+            format_args!("{} exists and is not overwritten", shown(path)),
+            "choose another name, or remove it first",
+        ));
+    }
+    table_file::write(path, form, columns, metadata, |writer| {
+        writer.push(rows).map_err(|error| table_file::cannot_write(path, error))
+    })
 }
 
 fn batch() -> u64 {

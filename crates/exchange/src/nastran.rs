@@ -78,8 +78,7 @@ pub fn nastran(table: &ForceTable, first: u32) -> String {
                 loads.push(load);
             }
         }
-        let sums: Vec<String> =
-            loads.iter().flat_map(|load| ["1.0".to_owned(), load.to_string()]).collect();
+        let sums: Vec<String> = loads.iter().flat_map(|load| ["1.0".to_owned(), load.to_string()]).collect();
         if !sums.is_empty() {
             fields(&mut out, "DLOAD", &[set.to_string(), "1.0".to_owned()], &sums);
         }

@@ -40,8 +40,16 @@ pub fn universal(table: &ForceTable) -> String {
                     let direction = ["+X", "+Y", "+Z"][axis];
                     let notes = table.notes.first().map_or("NONE", String::as_str);
                     let _ = writeln!(out, "{}", plain(&table.title, 80));
-                    let _ = writeln!(out, "{}", plain(&format!("force on {}, {direction}, order {}", point.name, own.order), 80));
-                    let _ = writeln!(out, "NONE\n{}\nf(t) = Re(F e^(i n w t)), t = 0 at crank angle 0", plain(notes, 80));
+                    let _ = writeln!(
+                        out,
+                        "{}",
+                        plain(&format!("force on {}, {direction}, order {}", point.name, own.order), 80)
+                    );
+                    let _ = writeln!(
+                        out,
+                        "NONE\n{}\nf(t) = Re(F e^(i n w t)), t = 0 at crank angle 0",
+                        plain(notes, 80)
+                    );
                     let _ = writeln!(
                         out,
                         "{ORDER_FUNCTION:>5}{:>10}{:>5}{:>10} {:<10}{:>10}{:>4} {:<10}{:>10}{:>4}",

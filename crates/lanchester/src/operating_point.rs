@@ -1,14 +1,14 @@
 //! An engine at one speed with the gas of its file, for sensitivities.
 
-use lanchester_study::sensitivity::{Amount, Measure, Quantity};
-use lanchester_task::option::{self, BadQuantity};
 use crate::inertias::known_inertia;
 use crate::pressure::cylinders::cylinder_gas;
 use crate::pressure::error::GasError;
 use crate::pressure::measured::TraceFile;
 use lanchester_mechanism::OuterTorque;
 use lanchester_model::Engine;
+use lanchester_study::sensitivity::{Amount, Measure, Quantity};
 use lanchester_study::sensitivity::{Needs, OperatingPoint, Weights};
+use lanchester_task::option::{self, BadQuantity};
 
 /// `engine` at a speed of crankshaft 1 [rad/s] with what is needed of its gas, flywheel and crankshafts; and what the user should know
 /// of the gas. Torques over the angle are the caller's to add. `traces` holds the files that [`crate::trace_names`] names.

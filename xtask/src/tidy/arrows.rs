@@ -4,7 +4,7 @@ use serde_json::Value;
 
 /// Each crate and the workspace crates that it may name as normal dependencies. A crate that is not here may not
 /// exist: a new room needs a decision record and a line.
-const ARROWS: [(&str, &[&str]); 32] = [
+const ARROWS: [(&str, &[&str]); 33] = [
     ("lanchester-numerics", &[]),
     ("lanchester-shape", &[]),
     ("lanchester-units", &[]),
@@ -61,6 +61,7 @@ const ARROWS: [(&str, &[&str]); 32] = [
     ("lanchester-torsion", &["lanchester-model", "lanchester-numerics"]),
     ("lanchester-table", &[]),
     ("lanchester-exchange", &[]),
+    ("lanchester-sheet", &[]),
     (
         "lanchester-report",
         &[
@@ -109,7 +110,10 @@ const ARROWS: [(&str, &[&str]); 32] = [
     ("lanchester-validation", &["lanchester"]),
     ("lanchester-files", &[]),
     ("lanchester-studio", &["lanchester", "lanchester-files"]),
-    ("lanchester-cli", &["lanchester", "lanchester-files", "lanchester-studio", "lanchester-validation"]),
+    (
+        "lanchester-cli",
+        &["lanchester", "lanchester-files", "lanchester-sheet", "lanchester-studio", "lanchester-validation"],
+    ),
     ("lanchester-python", &["lanchester", "lanchester-files"]),
     (TESTKIT, &["lanchester-file", "lanchester-model"]),
     ("xtask", &[]),

@@ -100,17 +100,16 @@ pub fn force_table(
             false => BearingPart::Inertia,
         };
         let at = |speed: &f64| {
-            let request =
-                BearingRequest { speed: Some(*speed), part, counterweights: true, samples: ANGLES };
+            let request = BearingRequest { speed: Some(*speed), part, counterweights: true, samples: ANGLES };
             bearing_report(engine, traces, &request)
         };
         let loads = speeds.iter().map(at).collect::<Result<Vec<_>, _>>()?;
         let words = if part == BearingPart::All { "inertia and gas" } else { "inertia" };
         let mains = loads[0].mains.len();
         if mains > 0 {
-            table
-                .notes
-                .push(format!("Main bearings: force of the journal on each bearing, of the block, from {words}."));
+            table.notes.push(format!(
+                "Main bearings: force of the journal on each bearing, of the block, from {words}."
+            ));
             let (points, orders) = bearing_forces(&loads, request);
             add(&mut table, points, orders);
         } else if table.points.is_empty() {
@@ -164,7 +163,10 @@ fn mount_forces(
 /// ```text
 /// F_n = 2/N SUM_k F(theta_k) e^{-i n theta_k}        n = 1/R, 2/R, ... with the period of R revolutions
 /// ```
-fn bearing_forces(loads: &[BearingLoads], request: &ForceTableRequest) -> (Vec<LoadedPoint>, Vec<OrderForces>) {
+fn bearing_forces(
+    loads: &[BearingLoads],
+    request: &ForceTableRequest,
+) -> (Vec<LoadedPoint>, Vec<OrderForces>) {
     let mains = &loads[0].mains;
     let several = mains.iter().any(|main| main.crankshaft > 1);
     let points: Vec<LoadedPoint> = mains

@@ -57,7 +57,8 @@ pub fn load_history(
         values.push(over(own));
     }
     for main in &bearings.mains {
-        let crank = if main.crankshaft > 1 { format!("_crankshaft_{}", main.crankshaft) } else { String::new() };
+        let crank =
+            if main.crankshaft > 1 { format!("_crankshaft_{}", main.crankshaft) } else { String::new() };
         for (axis, part) in [("x", 0), ("y", 1)] {
             columns.push(Column::real(format!("main_bearing_{}{crank}_{axis}_N", main.main)));
             let number = |force: &num_complex::Complex64| if part == 0 { force.re } else { force.im };

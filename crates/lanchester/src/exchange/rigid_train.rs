@@ -34,7 +34,8 @@ const ANGLES: usize = 36;
 pub fn rigid_train(engine: &Engine, speed: Option<f64>) -> Result<RigidTrain, RigidTrainError> {
     let speed = speed.unwrap_or(engine.speed.highest);
     let train = Train::new(engine, &rotor_inertia(engine))?;
-    let found = loads(engine, &LoadRequest { speed: Some(speed), samples: ANGLES, ..LoadRequest::default() })?;
+    let found =
+        loads(engine, &LoadRequest { speed: Some(speed), samples: ANGLES, ..LoadRequest::default() })?;
     let trace = &found.total.trace;
     let revolutions = (found.period / std::f64::consts::TAU).round().max(1.0) as u32;
     let cylinder = |(index, own): (usize, &lanchester_multibody::CylinderTrain)| match own.lower_pin {
@@ -52,9 +53,10 @@ pub fn rigid_train(engine: &Engine, speed: Option<f64>) -> Result<RigidTrain, Ri
             rod_inertia: own.rod.inertia,
         }),
     };
-    let rotors = train.rotors.iter().map(|own| {
-        RigidRotor::new(&own.name, own.ratio, own.axis, own.first_moment, own.product)
-    });
+    let rotors = train
+        .rotors
+        .iter()
+        .map(|own| RigidRotor::new(&own.name, own.ratio, own.axis, own.first_moment, own.product));
     let loads = (0..trace.theta.len())
         .map(|k| [trace.force_x[k], trace.force_y[k], trace.couple_x[k], trace.couple_y[k]])
         .collect();

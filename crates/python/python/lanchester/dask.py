@@ -266,7 +266,7 @@ def map(
     >>> import lanchester, lanchester.dask, tempfile
     >>> rods = lanchester.Engine.template("single").variants({"rod.length": [0.14, 0.15]})
     >>> with tempfile.TemporaryDirectory() as folder:
-    ...     found = lanchester.dask.map("simulate", rods, "mean_speed", folder, revolutions=1, imposed=True)
+    ...     found = lanchester.dask.map("simulate", rods, "run.audit.energy", folder, revolutions=1, imposed=True)
     ...     len(found.to_dataframe())
     2
     """
