@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 /// What wheel, tests and notebooks need from PyPI. The oldest versions that are known to do; numpy's types need 2.
-const PACKAGES: [&str; 11] = [
+const PACKAGES: [&str; 17] = [
     "maturin>=1.16,<2",
     "numpy>=2",
     "pytest>=9",
@@ -23,7 +23,17 @@ const PACKAGES: [&str; 11] = [
     "nbclient>=0.10",
     "nbformat>=5.10",
     "ipykernel>=6",
+    "distributed>=2024.8",
+    "pyuff>=2.4; python_version >= '3.11'",
+    // What pyNastran needs but for NumPy.
+    "scipy>=1.11",
+    "cpylog>=1.4",
+    "docopt-ng>=0.9",
+    "colorama",
 ];
+
+/// Read in tests alone, and installed without what it asks for: it names an older NumPy than the package is tested with, and reads its files with a newer one too.
+const ALONE: [&str; 1] = ["pyNastran>=1.4"];
 
 /// Packages that the package's tree has and the program's has not: what a Python module is made with.
 const OWN: [&str; 6] =
@@ -40,6 +50,11 @@ pub fn run(arguments: &[String]) -> Result<String> {
         }
     }
     shares_features()?;
+    // Answers are compared with those of the command line.
+    let mut program = cargo();
+    program.args(["build", "--release", "--workspace", "--bin", "lanchester"]);
+    quiet(program.current_dir(root()))?;
+    let program = target()?.join("release").join(format!("lanchester{}", std::env::consts::EXE_SUFFIX));
     let python = environment()?;
     let wheel = build(&python, dev)?;
     let install =
@@ -57,6 +72,7 @@ pub fn run(arguments: &[String]) -> Result<String> {
                 "--pyargs",
                 "lanchester",
             ])
+            .env("LANCHESTER_PROGRAM", &program)
             .current_dir(root()),
     )?;
     let sources =
@@ -85,7 +101,7 @@ fn environment() -> Result<PathBuf> {
     let folder = target()?.join("xtask").join("python");
     let interpreter = if cfg!(windows) { "Scripts/python.exe" } else { "bin/python" };
     let (python, holds) = (folder.join(interpreter), folder.join("packages.txt"));
-    let wanted = PACKAGES.join("\n");
+    let wanted = [&PACKAGES[..], &ALONE].concat().join("\n");
     if python.exists() && std::fs::read_to_string(&holds).is_ok_and(|has| has == wanted) {
         return Ok(python);
     }
@@ -93,6 +109,7 @@ fn environment() -> Result<PathBuf> {
         .context("no environment for Python can be made; on Debian and Ubuntu install python3-venv")?;
     let install = ["-m", "pip", "install", "--quiet", "--disable-pip-version-check"];
     quiet(Command::new(&python).args(install).args(PACKAGES))?;
+    quiet(Command::new(&python).args(install).arg("--no-deps").args(ALONE))?;
     std::fs::write(&holds, wanted)?;
     Ok(python)
 }

@@ -7,6 +7,7 @@ use crate::options::bondgraph::BondgraphArguments;
 use crate::options::compare::CompareArguments;
 use crate::options::counterweight::CounterweightArguments;
 use crate::options::explore::ExploreArguments;
+use crate::options::export::ExportArguments;
 use crate::options::mounts::MountsArguments;
 use crate::options::published::PublishedArguments;
 use crate::options::robust::RobustArguments;
@@ -80,7 +81,9 @@ pub enum Command {
                             --orders 12\n  lanchester loads twin.toml --about '0 mm, 0 mm, 120 mm'\n  \
                             lanchester loads twin.toml --series power:4:5 --grid 360\n  \
                             lanchester loads twin.toml --format csv --table trace > trace.csv\n  \
-                            lanchester loads v8.toml --bending-share '50 %' --format csv --table internal"
+                            lanchester loads v8.toml --bending-share '50 %' --format csv --table internal\n  \
+                            lanchester loads twin.toml --cases cases.csv\n  \
+                            lanchester loads twin.toml --cases cases.xlsx --output loads.xlsx"
     )]
     Loads(LoadsArguments),
     /// Torque of gas and inertia, work, orders with halves, firing, speed ripple and flywheel, power.
@@ -125,6 +128,9 @@ pub enum Command {
                             Exit status 1: the run was not completed; what it came to is printed."
     )]
     Simulate(SimulateArguments),
+    /// Loads for other programs: forces by order and speed for solvers of finite elements, histories, a script of Exudyn.
+    #[command(subcommand_required = true, arg_required_else_help = true)]
+    Export(ExportArguments),
     /// The flexible crankshaft: stress of its fillets, natural modes, decks and pictures for other programs.
     Stress(StressArguments),
     /// Hold the closed form against an independent multibody simulation of the same engine, component by component and order by order.
@@ -323,6 +329,13 @@ pub struct LoadsArguments {
     /// Table written with `--format csv`; default: orders.
     #[arg(long, value_enum, requires = "format")]
     pub table: Option<LoadsTable>,
+    /// The loads of every row of a table of cases instead: CSV or a workbook (`.xlsx`), a row a case, a column a key of the engine file, its unit in
+    /// the head: `rod.length [mm]`. An empty cell leaves the key as it is.
+    #[arg(long, value_name = "TABLE", conflicts_with = "table")]
+    pub cases: Option<PathBuf>,
+    /// With --cases: write their loads into this file, `.csv` or `.xlsx`; default: standard output.
+    #[arg(long, short, value_name = "FILE", requires = "cases")]
+    pub output: Option<PathBuf>,
     /// Form of the output.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,

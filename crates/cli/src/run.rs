@@ -8,12 +8,13 @@ mod head;
 mod progress;
 pub mod table_file;
 
-pub use head::{Head, Held};
+pub use lanchester::run::{Head, Held};
 
 use crate::failure::{Failure, NOT_AS_EXPECTED};
 use folder::Folder;
+use head::held_of;
 use lanchester::run::{Study, part, stretch};
-use lanchester::table::{Form, Rows};
+use lanchester::table::{Column, Form, Rows};
 use lanchester_files::shown;
 use progress::Progress;
 use std::ops::Range;
@@ -87,7 +88,7 @@ pub fn run_into<S: Study>(
     if let Some(held) = table_file::held(path)? {
         if held.head == *head && held.blocks == blocks {
             eprintln!("{} holds this already; nothing is computed again", shown(path));
-            return held.kept();
+            return Ok(held.kept()?);
         }
         return Err(Failure::input(
             format_args!("{} holds something else and is not overwritten", shown(path)),
@@ -153,7 +154,7 @@ pub fn run_into<S: Study>(
 
 /// What a part holds.
 pub fn read_held(path: &Path) -> Result<Held, Failure> {
-    Held::of(&table_file::open(path)?, path)
+    held_of(&table_file::open(path)?, path)
 }
 
 /// Refuses the name of a table that is no table's, or under which something stands.
@@ -191,7 +192,7 @@ pub fn join_tables<S: Study>(
         }
         for table in tables {
             let mut reader = table_file::open(table)?;
-            let held = Held::of(&reader, table)?;
+            let held = held_of(&reader, table)?;
             while let Some(rows) =
                 reader.next(&columns).map_err(|error| table_file::cannot_read_rows(table, &held, error))?
             {
@@ -201,6 +202,25 @@ pub fn join_tables<S: Study>(
         Ok(())
     })?;
     Ok(kept)
+}
+
+/// Writes rows that are there already as a table, which must not exist.
+pub fn write_rows(
+    path: &Path,
+    columns: &[Column],
+    rows: Rows,
+    metadata: &[(String, String)],
+) -> Result<(), Failure> {
+    let form = table_file::form(path)?;
+    if std::fs::symlink_metadata(path).is_ok_and(|there| there.is_file()) {
+        return Err(Failure::input(
+            format_args!("{} exists and is not overwritten", shown(path)),
+            "choose another name, or remove it first",
+        ));
+    }
+    table_file::write(path, form, columns, metadata, |writer| {
+        writer.push(rows).map_err(|error| table_file::cannot_write(path, error))
+    })
 }
 
 fn batch() -> u64 {

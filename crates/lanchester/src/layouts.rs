@@ -7,4 +7,4 @@ pub(crate) mod study;
 
 pub use search::{LayoutSearchError, adopted_layout, given_engine, layout_name};
 pub use space::{LayoutChoices, LayoutSize, LayoutSpace, LayoutSpaceError, layout_space, own_pattern};
-pub use study::{LayoutRows, LayoutStudy};
+pub use study::{LayoutRows, LayoutStudy, SavedSearch};

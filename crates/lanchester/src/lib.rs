@@ -24,6 +24,7 @@ mod consequences;
 mod crank_bodies;
 mod crosscheck;
 mod engine_report;
+mod exchange;
 mod graph_report;
 mod inertias;
 mod layouts;
@@ -52,6 +53,7 @@ pub use comparison::{CompareEntry, CompareError, CompareRequest, ComparedWith, c
 pub use consequences::consequences;
 pub use crosscheck::*;
 pub use engine_report::{EngineReport, fnv1a, in_one_line, provenance};
+pub use exchange::*;
 pub use graph_report::bond_graph_report;
 pub use inertias::{
     DrivelineBody, INERTIAS_VERSION, Inertias, ThrowInertia, inertias, rotating_bodies, rotor_inertia,
@@ -60,6 +62,7 @@ pub use inertias::{
 pub use lanchester_balance as balance;
 pub use lanchester_bondgraph as bondgraph;
 pub use lanchester_cycle as cycle;
+pub use lanchester_exchange as exchange_formats;
 pub use lanchester_file as file;
 pub use lanchester_film as film;
 pub use lanchester_flex as flex;
@@ -79,13 +82,13 @@ pub use lanchester_units as units;
 pub use lanchester_workshop as workshop;
 pub use layouts::*;
 pub use mounted::{MountSpeeds, MountedError, mounts};
-pub use operating_point::operating_point;
+pub use operating_point::{operating_point, sensitivity_amount};
 pub use parts::*;
 pub use pressure::*;
 pub use robust_balance::{MOST_ENGINES, RobustError, RobustOptions, robust_balance, robust_balance_while};
 pub use run_plan::SimulateRequest;
 pub use running::{Running, is_running, running};
-pub use sample_study::SampleStudy;
+pub use sample_study::{SampleStudy, SavedScatter};
 pub use scene::{Scene, SceneKind, SceneMesh, SceneMotion, ScenePart, scene};
 pub use simulation::{RunLength, simulate, simulate_watched};
 pub use stress::*;

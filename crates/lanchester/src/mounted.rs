@@ -21,7 +21,7 @@ pub enum MountSpeeds {
 }
 
 impl MountSpeeds {
-    fn of(&self, engine: &Engine) -> Vec<f64> {
+    pub(crate) fn of(&self, engine: &Engine) -> Vec<f64> {
         let count = match self {
             MountSpeeds::List(list) => return list.clone(),
             MountSpeeds::Range(count) => *count,

@@ -4,6 +4,10 @@
 //! in rising order, and rows stand in the order of their blocks. Front ends loop over [`stretch`], write what it gives, show
 //! progress, and stop where they like.
 
+mod head;
+
+pub use head::{Head, HeadError, Held, numbered};
+
 use lanchester_table::{Column, Rows};
 use rayon::prelude::*;
 use serde::Serialize;

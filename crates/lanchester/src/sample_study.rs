@@ -2,14 +2,46 @@
 
 use crate::run::Study;
 use lanchester_report::measure_unit;
-use lanchester_study::scatter::{Deviation, Drawn, Output, ScatterError, Scattering, Tally};
+use lanchester_study::scatter::{Deviation, Drawn, Output, ScatterError, ScatterOptions, Scattering, Tally};
 use lanchester_study::sensitivity::Quantity;
 use lanchester_table::{Column, Rows, Values};
-use lanchester_task::Tolerance;
+use lanchester_task::{Limit, Tolerance};
+use serde::{Deserialize, Serialize};
 use std::ops::Range;
 
 /// Samples of a block.
 const BLOCK: u64 = 1 << 14;
+
+/// The request of a scatter as its table keeps it: the options of the run.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct SavedScatter {
+    /// Speed of the crankshaft [rad/s]; the highest of the engine where it is not given.
+    pub speed: Option<f64>,
+    /// Engines that are drawn.
+    pub samples: u64,
+    /// Seed of the draws.
+    pub seed: u64,
+    /// Whether orders 1 and 2 alone are drawn, without the peaks over all orders.
+    pub orders_only: bool,
+    /// Limits as they were written.
+    pub limits: Vec<String>,
+    /// Capability with which a limit is met.
+    pub capability: f64,
+}
+
+impl SavedScatter {
+    /// The options of the run with its limits as they were read.
+    pub fn options(&self, limits: Vec<Limit>) -> ScatterOptions {
+        ScatterOptions {
+            speed: self.speed,
+            samples: self.samples,
+            seed: self.seed,
+            peaks: !self.orders_only,
+            limits,
+            capability: self.capability,
+        }
+    }
+}
 
 /// A scatter, cut into blocks of samples.
 pub struct SampleStudy {

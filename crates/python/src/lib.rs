@@ -9,6 +9,8 @@
 
 mod answer;
 mod asking;
+mod blocks;
+mod cases;
 mod failure;
 mod from_python;
 mod guard;
@@ -36,6 +38,12 @@ mod _native {
     use super::asking::panics;
     #[pymodule_export]
     use super::asking::schemas;
+    #[pymodule_export]
+    use super::blocks::NativeStudy;
+    #[pymodule_export]
+    use super::blocks::held;
+    #[pymodule_export]
+    use super::blocks::study;
     #[pymodule_export]
     use super::map::map;
     #[pymodule_export]

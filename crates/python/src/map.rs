@@ -22,7 +22,7 @@ use std::sync::Arc;
 const BLOCK: usize = 256;
 
 /// The engines of a call.
-enum Engines {
+pub enum Engines {
     /// These.
     Given(Vec<Arc<Prepared>>),
     /// One, with other values: by path, one value an engine.
@@ -30,14 +30,19 @@ enum Engines {
 }
 
 impl Engines {
-    fn count(&self) -> usize {
+    /// How many.
+    pub fn count(&self) -> usize {
         match self {
             Engines::Given(all) => all.len(),
             Engines::Changed { count, .. } => *count,
         }
     }
 
-    fn at(&self, place: usize) -> Result<Arc<Prepared>, Failure> {
+    /// The engine at a place.
+    ///
+    /// # Errors
+    /// Where the changed text is no engine.
+    pub fn at(&self, place: usize) -> Result<Arc<Prepared>, Failure> {
         match self {
             Engines::Given(all) => Ok(all[place].clone()),
             Engines::Changed { base, columns, .. } => {
@@ -84,16 +89,7 @@ pub fn map(
             let width = paths.len();
             let rows = waited_for(py, move |watch| {
                 each(&all, &run, watch, |data| {
-                    let number = |path: &Vec<Step>| {
-                        let words = |error| {
-                            Failure::option(
-                                format_args!("`{}`: {error}", text_of(path)),
-                                "`to_dict()` of one result shows what there is",
-                            )
-                        };
-                        data.number(path).map_err(words)
-                    };
-                    paths.iter().map(number).collect::<Result<Vec<f64>, Failure>>()
+                    paths.iter().map(|path| number_at(&data, path)).collect::<Result<Vec<f64>, Failure>>()
                 })
             })?;
             let found = PyDict::new(py);
@@ -106,7 +102,21 @@ pub fn map(
     }
 }
 
-fn no_path(path: &str) -> Failure {
+/// The number of an answer at the end of a path.
+///
+/// # Errors
+/// Where there is none.
+pub fn number_at(data: &Data, path: &[Step]) -> Result<f64, Failure> {
+    data.number(path).map_err(|error| {
+        Failure::option(
+            format_args!("`{}`: {error}", text_of(path)),
+            "`to_dict()` of one result shows what there is",
+        )
+    })
+}
+
+/// A text that is no path.
+pub fn no_path(path: &str) -> Failure {
     Failure::option(
         format_args!("`{path}` is no path"),
         "paths are written like `total.peaks.force.max.value`",
@@ -121,7 +131,11 @@ fn text_of(path: &[Step]) -> String {
     })
 }
 
-fn engines_of(
+/// The engines of a call: these, or one with other values by key.
+///
+/// # Errors
+/// Where the columns have not one value for each engine.
+pub fn engines_of(
     engines: &[PyRef<'_, NativeEngine>],
     columns: Option<Bound<'_, PyDict>>,
 ) -> Result<Engines, Failure> {
@@ -197,7 +211,7 @@ fn each<T: Send>(
 }
 
 /// The failure with the place of its engine, from 0.
-fn numbered(failure: Failure, place: usize) -> Failure {
+pub fn numbered(failure: Failure, place: usize) -> Failure {
     match failure {
         Failure::Refused { message, hint, code } => {
             Failure::Refused { message: format!("engine {place}: {message}"), hint, code }

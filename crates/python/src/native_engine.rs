@@ -89,6 +89,12 @@ impl NativeEngine {
         &self.prepared.text
     }
 
+    /// Where files are that it names; `None` for a text without a place.
+    #[getter]
+    fn folder(&self) -> Option<PathBuf> {
+        self.prepared.folder.clone()
+    }
+
     /// What messages call its file.
     #[getter]
     fn file_name(&self) -> &str {

@@ -9,11 +9,15 @@ mod studies;
 mod turning;
 mod workshop;
 
+use crate::blocks::Blocks;
 use crate::failure::Failure;
+use crate::options::Options;
+use crate::prepared::Prepared;
 use crate::question::Question;
 use schemars::generate::SchemaSettings;
 use serde_json::Value;
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 fn all() -> impl Iterator<Item = &'static Question> {
     let lists: [&'static [Question]; 8] = [
@@ -41,6 +45,22 @@ pub fn question(name: &str) -> Result<&'static Question, Failure> {
             format_args!("one of {}", names.join(", ")),
         )
     })
+}
+
+/// The study behind a question in blocks, whose rows are its cases; `None` where its cases are those of many engines.
+///
+/// # Errors
+/// Where the arguments cannot be used.
+pub fn blocks(
+    name: &str,
+    options: &Options<'_>,
+    own: &Arc<Prepared>,
+) -> Result<Option<Box<dyn Blocks>>, Failure> {
+    match name {
+        "explore" => layouts::explore_blocks(options, own).map(Some),
+        "scatter" => studies::scatter_blocks(options, own).map(Some),
+        _ => Ok(None),
+    }
 }
 
 /// The schemas of all answers, and for every question the name of the schema of its answer.

@@ -143,6 +143,8 @@ def test_engines_are_values() -> None:
     assert one == other and hash(one) == hash(other) and len({one, other}) == 1
     assert one != Engine.template("v6-90") and one != "v6-60"
     assert pickle.loads(pickle.dumps(one)) == one
+    read = Engine.read(Path(__file__).parents[3] / "examples" / "in-line-4-mounts.toml")
+    assert pickle.loads(pickle.dumps(read)) == read
     assert "6 cylinders" in repr(one) and one._repr_html_().startswith("<svg")
 
 

@@ -36,7 +36,7 @@ def asked() -> dict[str, Result]:
         "counterweight": weights.counterweight(),
         "counterweight_check": weights.counterweight_check(),
         "workshop": Engine.template("v6-60").workshop(),
-        "explore": four.explore(minimise=["force order 2", "couple order 1"], throw_angles="every 90 deg", even_firing="0.001 deg"),
+        "explore": four.explore(minimise=["force order 2", "couple order 1"], throw_angles="every 90 deg", even_firing=True),
         "scatter": production.scatter(samples=2000),
         "sensitivity": four.sensitivity(vary="rod length = 10 %", only=True),
         "simulate": single.simulate(revolutions=1, imposed=True),
@@ -121,14 +121,14 @@ COMMANDS: list[tuple[str, list[str], Any]] = [
     ("in-line-4-production.toml", ["scatter", "--samples", "3000"], lambda engine: engine.scatter(samples=3000)),
     ("in-line-4.toml", ["sensitivity"], lambda engine: engine.sensitivity()),
     ("in-line-4.toml", ["crosscheck", "--condition", "a"], lambda engine: engine.crosscheck(condition="a")),
-    ("v6-60.toml", ["explore", "--even-firing"], lambda engine: engine.explore(even_firing="0.001 deg")),
+    ("v6-60.toml", ["explore", "--even-firing"], lambda engine: engine.explore(even_firing=True)),
 ]
 
 
 @pytest.mark.parametrize(("file", "command", "ask"), COMMANDS, ids=[" ".join([*command[1], command[0]]) for command in COMMANDS])
 def test_json_is_that_of_the_command_line(file: str, command: list[str], ask: Any) -> None:
     if PROGRAM is None:
-        pytest.skip("LANCHESTER_PROGRAM names no program")
+        pytest.skip("LANCHESTER_PROGRAM names no program; `cargo xtask python` does")
     path = EXAMPLES / file
     line = [PROGRAM, command[0], str(path), *command[1:], "--format", "json"]
     printed = subprocess.run(line, capture_output=True, text=True, encoding="utf-8", check=False)
@@ -188,7 +188,7 @@ def test_infeasible_limits_are_an_outcome() -> None:
 def test_what_is_found_can_be_adopted() -> None:
     weights = Engine.read(EXAMPLES / "in-line-3-counterweights.toml")
     assert weights.counterweight().adopt().counterweight_check().is_kept
-    search = Engine.template("in-line-4").explore(minimise=["force order 2"], throw_angles="every 90 deg", even_firing="0.001 deg")
+    search = Engine.template("in-line-4").explore(minimise=["force order 2"], throw_angles="every 90 deg", even_firing=True)
     assert search.adopt(0).cylinders == 4
     with pytest.raises(RequestError, match="counted from 0"):
         search.adopt(10_000)

@@ -4,7 +4,7 @@ use serde_json::Value;
 
 /// Each crate and the workspace crates that it may name as normal dependencies. A crate that is not here may not
 /// exist: a new room needs a decision record and a line.
-const ARROWS: [(&str, &[&str]); 31] = [
+const ARROWS: [(&str, &[&str]); 33] = [
     ("lanchester-numerics", &[]),
     ("lanchester-shape", &["lanchester-numerics"]),
     ("lanchester-units", &[]),
@@ -91,6 +91,8 @@ const ARROWS: [(&str, &[&str]); 31] = [
     ("lanchester-strength", &["lanchester-model"]),
     ("lanchester-torsion", &["lanchester-model", "lanchester-numerics"]),
     ("lanchester-table", &[]),
+    ("lanchester-exchange", &[]),
+    ("lanchester-sheet", &[]),
     (
         "lanchester-report",
         &[
@@ -135,12 +137,16 @@ const ARROWS: [(&str, &[&str]); 31] = [
             "lanchester-results",
             "lanchester-study",
             "lanchester-table",
+            "lanchester-exchange",
         ],
     ),
     ("lanchester-validation", &["lanchester"]),
     ("lanchester-files", &[]),
     ("lanchester-studio", &["lanchester", "lanchester-files"]),
-    ("lanchester-cli", &["lanchester", "lanchester-files", "lanchester-studio", "lanchester-validation"]),
+    (
+        "lanchester-cli",
+        &["lanchester", "lanchester-files", "lanchester-sheet", "lanchester-studio", "lanchester-validation"],
+    ),
     ("lanchester-python", &["lanchester", "lanchester-files"]),
     (TESTKIT, &["lanchester-file", "lanchester-model"]),
     ("xtask", &[]),

@@ -11,19 +11,10 @@ use crate::run::{Head, run_alone, run_into};
 use lanchester::file::{expanded, read, render};
 use lanchester::model::Engine;
 use lanchester::report::{layout_front_figure, layout_front_table, layout_ranking_table, layout_search_text};
-use lanchester::study::explore::{Exploration, ExploreAnswer, ExploreRequest, Explorer};
-use lanchester::{LayoutRows, LayoutStudy, adopted_layout, given_engine};
+use lanchester::study::explore::{Exploration, ExploreAnswer, Explorer};
+use lanchester::{LayoutRows, LayoutStudy, SavedSearch, adopted_layout, given_engine};
 use lanchester_files::shown;
-use serde::{Deserialize, Serialize};
 use std::path::Path;
-
-/// The request as a table keeps it.
-#[derive(Debug, Clone, Serialize, Deserialize)]
-pub struct SavedSearch {
-    pub request: ExploreRequest,
-    pub rows: LayoutRows,
-    pub notes: Vec<String>,
-}
 
 pub fn run(arguments: &ExploreArguments, colour: bool) -> Result<u8, Failure> {
     let opened = open(&arguments.file, colour)?;

@@ -1,15 +1,15 @@
 //! `lanchester merge`: the parts of a run become the table that the run would have written.
 
-use crate::commands::explore::{self, SavedSearch, answer_of};
-use crate::commands::scatter::{self, SavedScatter};
+use crate::commands::explore::{self, answer_of};
+use crate::commands::scatter::{self, answer_of_samples, sample_study};
 use crate::failure::{DONE, Failure};
 use crate::files::print;
 use crate::format::Format;
 use crate::run::{Head, Held, is_free, join_tables, read_held};
 use clap::Args;
-use lanchester::LayoutStudy;
 use lanchester::file::{EngineFile, read};
 use lanchester::study::explore::Explorer;
+use lanchester::{LayoutStudy, SavedScatter, SavedSearch};
 use lanchester_files::shown;
 use serde::de::DeserializeOwned;
 use std::path::PathBuf;
@@ -92,9 +92,9 @@ impl Parts {
 
     fn scattered(&self, arguments: &MergeArguments) -> Result<u8, Failure> {
         let saved: SavedScatter = self.request()?;
-        let study = saved.study(&self.file, true)?;
+        let study = sample_study(&saved, &self.file, true)?;
         let tally = join_tables(&study, &self.head, &self.paths, 0..self.of, &arguments.output)?;
-        let Some(answer) = saved.answer(&study, &tally)? else {
+        let Some(answer) = answer_of_samples(&saved, &study, &tally)? else {
             return Err(Failure::input("the parts hold no sample", "run them again"));
         };
         print(&scatter::said(&answer, arguments.format)?)?;

@@ -8,6 +8,7 @@ pub mod compare;
 pub mod counterweight;
 pub mod crosscheck;
 pub mod explore;
+pub mod export;
 pub mod licences;
 pub mod loads;
 pub mod merge;

@@ -7,65 +7,52 @@ use crate::files::print;
 use crate::format::Format;
 use crate::options::scatter::ScatterArguments;
 use crate::run::{Head, run_alone, run_into};
-use lanchester::SampleStudy;
 use lanchester::file::EngineFile;
 use lanchester::report::{scatter_figure, scatter_table, scatter_text};
 use lanchester::study::scatter::{ScatterOptions, ScatterStudy, Scattering, Tally, scatter_study_of};
 use lanchester::task::option;
-use serde::{Deserialize, Serialize};
+use lanchester::{SampleStudy, SavedScatter};
 
-/// The request as a table keeps it: the options of the command.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct SavedScatter {
-    /// Speed of the crankshaft [rad/s].
-    speed: Option<f64>,
-    samples: u64,
-    seed: u64,
-    orders_only: bool,
-    limits: Vec<String>,
-    capability: f64,
+/// The request behind the options.
+fn request(arguments: &ScatterArguments) -> Result<SavedScatter, Failure> {
+    let speed = arguments.speed.as_deref().map(|text| option::speed(text, "--speed")).transpose()?;
+    Ok(SavedScatter {
+        speed,
+        samples: arguments.samples,
+        seed: arguments.seed,
+        orders_only: arguments.orders_only,
+        limits: arguments.limit.clone(),
+        capability: arguments.capability.unwrap_or(ScatterOptions::default().capability),
+    })
 }
 
-impl SavedScatter {
-    fn of(arguments: &ScatterArguments) -> Result<SavedScatter, Failure> {
-        let speed = arguments.speed.as_deref().map(|text| option::speed(text, "--speed")).transpose()?;
-        Ok(SavedScatter {
-            speed,
-            samples: arguments.samples,
-            seed: arguments.seed,
-            orders_only: arguments.orders_only,
-            limits: arguments.limit.clone(),
-            capability: arguments.capability.unwrap_or(ScatterOptions::default().capability),
-        })
-    }
+/// The run for an engine, its samples being rows or not.
+pub fn sample_study(
+    saved: &SavedScatter,
+    file: &EngineFile,
+    keeps_samples: bool,
+) -> Result<SampleStudy, Failure> {
+    let limit = |text: &String| option::limit(text, &file.engine, "--limit");
+    let options = saved.options(saved.limits.iter().map(limit).collect::<Result<_, _>>()?);
+    let request = options.request(&file.engine, &file.tasks.tolerances).map_err(Failure::refused)?;
+    let scattering = Scattering::new(request).map_err(Failure::refused)?;
+    Ok(SampleStudy { scattering, keeps_samples })
+}
 
-    /// The run for an engine, its samples being rows or not.
-    pub fn study(&self, file: &EngineFile, keeps_samples: bool) -> Result<SampleStudy, Failure> {
-        let limit = |text: &String| option::limit(text, &file.engine, "--limit");
-        let options = ScatterOptions {
-            speed: self.speed,
-            samples: self.samples,
-            seed: self.seed,
-            peaks: !self.orders_only,
-            limits: self.limits.iter().map(limit).collect::<Result<_, _>>()?,
-            capability: self.capability,
-        };
-        let request = options.request(&file.engine, &file.tasks.tolerances).map_err(Failure::refused)?;
-        let scattering = Scattering::new(request).map_err(Failure::refused)?;
-        Ok(SampleStudy { scattering, keeps_samples })
-    }
-
-    /// What is told of the samples that were drawn; `None` of no sample.
-    pub fn answer(&self, study: &SampleStudy, tally: &Tally) -> Result<Option<ScatterStudy>, Failure> {
-        scatter_study_of(&study.scattering, tally, self.capability).map_err(Failure::refused)
-    }
+/// What is told of the samples that were drawn; `None` of no sample.
+pub fn answer_of_samples(
+    saved: &SavedScatter,
+    study: &SampleStudy,
+    tally: &Tally,
+) -> Result<Option<ScatterStudy>, Failure> {
+    scatter_study_of(&study.scattering, tally, saved.capability).map_err(Failure::refused)
 }
 
 pub fn run(arguments: &ScatterArguments, colour: bool) -> Result<u8, Failure> {
-    let saved = SavedScatter::of(arguments)?;
+    let saved = request(arguments)?;
     let opened = open(&arguments.file, colour)?;
     arguments.run.set_threads();
-    let study = saved.study(&opened.file, arguments.run.save.is_some())?;
+    let study = sample_study(&saved, &opened.file, arguments.run.save.is_some())?;
     let tally = match &arguments.run.save {
         None => run_alone(&study)?,
         Some(path) => {
@@ -73,7 +60,7 @@ pub fn run(arguments: &ScatterArguments, colour: bool) -> Result<u8, Failure> {
             run_into(&study, &head, path, arguments.run.part)?
         }
     };
-    let Some(answer) = saved.answer(&study, &tally)? else {
+    let Some(answer) = answer_of_samples(&saved, &study, &tally)? else {
         eprintln!("no sample falls into this part: the run has fewer blocks than parts");
         return Ok(DONE);
     };

@@ -8,16 +8,15 @@ use crate::format::Format;
 use crate::options::sensitivity::{SensitivityArguments, WeightsOption};
 use crate::trace_files::trace_files;
 use lanchester::mechanism::OuterTorque;
-use lanchester::operating_point;
 use lanchester::report::{sensitivity_csv, sensitivity_text, tornado_figure};
-use lanchester::study::sensitivity::{
-    Amount, Measure, Output, Quantity, SensitivityRequest, Weights, sensitivity,
-};
+use lanchester::study::sensitivity::{Output, SensitivityRequest, Weights, sensitivity};
 use lanchester::task::option;
+use lanchester::{operating_point, sensitivity_amount};
 
 pub fn run(arguments: &SensitivityArguments, colour: bool) -> Result<u8, Failure> {
     let speed = arguments.speed.as_deref().map(|text| option::speed(text, "--speed")).transpose()?;
-    let amounts = arguments.vary.iter().map(|text| amount(text)).collect::<Result<_, _>>()?;
+    let amounts =
+        arguments.vary.iter().map(|text| sensitivity_amount(text, "--vary")).collect::<Result<_, _>>()?;
     let file = open(&arguments.file, colour)?.file;
     let engine = file.engine;
     let named = |text: &String| Output::named(text, &engine).map_err(Failure::refused);
@@ -52,35 +51,4 @@ pub fn run(arguments: &SensitivityArguments, colour: bool) -> Result<u8, Failure
         Format::Csv => sensitivity_csv(&found),
     })?;
     Ok(DONE)
-}
-
-/// `rod length = 10 %`: a quantity, and how far it goes.
-fn amount(text: &str) -> Result<(Quantity, Amount), Failure> {
-    let Some((name, value)) = text.split_once('=') else {
-        return Err(Failure::input(
-            format!("`--vary` needs a quantity and how far it goes, got \"{text}\""),
-            "for example --vary \"rod length = 10 %\"",
-        ));
-    };
-    let name = name.split_whitespace().collect::<Vec<_>>().join(" ");
-    let Some(quantity) = Quantity::all().find(|quantity| quantity.name() == name) else {
-        let names: Vec<&str> = Quantity::all().map(Quantity::name).collect();
-        return Err(Failure::input(
-            format!("`--vary` knows no quantity \"{name}\""),
-            format!("it knows {}", names.join(", ")),
-        ));
-    };
-    if value.trim_end().ends_with('%') {
-        return Ok((quantity, Amount::Share(option::share(value, &name)?)));
-    }
-    let read = match quantity.measure() {
-        Measure::Mass | Measure::BodyMass => option::mass,
-        Measure::Length | Measure::Place => option::length,
-        Measure::Angle => option::angle,
-        Measure::Unbalance => option::unbalance,
-        Measure::Inertia | Measure::BodyInertia => option::inertia,
-        Measure::Speed => option::speed,
-        Measure::Factor => option::share,
-    };
-    Ok((quantity, Amount::Absolute(read(value, &name)?)))
 }

@@ -1,8 +1,9 @@
 //! What a run has done so far: a folder of small tables, each a stretch of blocks, whole or not there.
 
-use super::head::{Head, Held, numbered};
+use super::head::held_of;
 use super::table_file;
 use crate::failure::Failure;
+use lanchester::run::{Head, Held, numbered};
 use lanchester::table::{Column, Form, Rows, TableError, TableReader};
 use lanchester_files::shown;
 use serde::Serialize;
@@ -122,7 +123,7 @@ impl Folder {
 fn held(table: &Path, of: u64) -> Result<Held, Failure> {
     let file = File::open(table).map_err(TableError::from);
     let verified = file.and_then(TableReader::open).and_then(|reader| reader.verify().map(|()| reader));
-    verified.map_err(|error| damaged(table, of, error)).and_then(|reader| Held::of(&reader, table))
+    verified.map_err(|error| damaged(table, of, error)).and_then(|reader| held_of(&reader, table))
 }
 
 /// A table of the folder that is not what was written: its blocks by its name, which is outside of it.

@@ -1,7 +1,8 @@
 //! Tables as files: whole or not at all.
 
-use super::head::{Held, numbered};
+use super::head::{held_of, says_nothing};
 use crate::failure::Failure;
+use lanchester::run::{Held, numbered};
 use lanchester::table::{Column, Form, Rows, SEAL, TableError, TableReader, TableWriter, Values, csv_seal};
 use lanchester_files::{NewFile, Over, PutError, shown};
 use std::collections::BTreeMap;
@@ -78,7 +79,7 @@ pub fn held(path: &Path) -> Result<Option<Held>, Failure> {
             let file = File::open(path).map_err(|error| cannot_read(path, error.into()))?;
             match TableReader::open(file) {
                 Ok(reader) => {
-                    let held = Held::of(&reader, path)?;
+                    let held = held_of(&reader, path)?;
                     reader.verify().map_err(|error| cannot_read_rows(path, &held, error))?;
                     Ok(Some(held))
                 }
@@ -97,7 +98,7 @@ pub fn held(path: &Path) -> Result<Option<Held>, Failure> {
             if found.map_err(|error| cannot_read(path, error))? != kept {
                 return Err(cannot_read(path, TableError::AlteredText));
             }
-            Held::found(|key| entries.get(key).cloned(), path).map(Some)
+            Held::found(|key| entries.get(key).cloned()).map(Some).ok_or_else(|| says_nothing(path))
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::run::Study;
 use lanchester_study::explore::{
-    Banks, Candidate, Exploration, ExploreError, Explorer, Layout, Objective, Run,
+    Banks, Candidate, Exploration, ExploreError, ExploreRequest, Explorer, Layout, Objective, Run,
 };
 use lanchester_table::{Column, Rows, Values};
 use serde::{Deserialize, Serialize};
@@ -21,6 +21,17 @@ pub enum LayoutRows {
     Front,
     /// None.
     Nothing,
+}
+
+/// The request of a search as its table keeps it.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub struct SavedSearch {
+    /// The request.
+    pub request: ExploreRequest,
+    /// Which cases are rows.
+    pub rows: LayoutRows,
+    /// What the user should know of it.
+    pub notes: Vec<String>,
 }
 
 /// A search over layouts, cut into blocks of cases.

@@ -51,6 +51,11 @@ Limits = str | Sequence[str]
 Quantities = Quantity | Sequence[Quantity]
 
 
+def _again(text: str, folder: Path | None) -> Engine:
+    """An engine as it was, from a text and the place of the files that it names."""
+    return Engine(_native.Engine.of_text(text, "<text>", folder))
+
+
 class Engine:
     """An engine: what an engine file says, checked.
 
@@ -269,8 +274,8 @@ class Engine:
     def __hash__(self) -> int:
         return hash(self._native)
 
-    def __reduce__(self) -> tuple[Any, tuple[str]]:
-        return Engine.from_toml, (self.text,)
+    def __reduce__(self) -> tuple[Any, tuple[str, Path | None]]:
+        return _again, (self.text, self._native.folder)
 
     def __repr__(self) -> str:
         lowest, highest, cylinders, _ = self._native.summary()
@@ -293,12 +298,14 @@ class Engine:
         orders: int | None = None,
         samples: int | None = None,
         grid: int | None = None,
+        bending_share: Quantity | None = None,
     ) -> Loads:
-        """Shaking forces, couples, roll moment and shaft torque of inertia, over the cycle and by order.
+        """Shaking forces, couples, roll moment and shaft torque of inertia, over the cycle and by order; `internal`: shear and bending inside the crankshafts.
 
         `speed` of crankshaft 1 [rad/s], the highest where it is left out; `about`: point of the couples [m]; `series`: ``"exact"``,
         ``"orders:N"`` or ``"power:N:P"``, a truncation of the literature; `orders`: highest order listed; `samples`: angles of a trace in one
-        revolution; `grid`: take extremes on a grid of so many angles instead of the continuous cycle.
+        revolution; `grid`: take extremes on a grid of so many angles instead of the continuous cycle; `bending_share`: share of the reciprocating
+        forces that counts in `internal`, which is computed when it is looked at.
 
         >>> from lanchester import Engine
         >>> loads = Engine.template("in-line-4").loads("6000 rpm")
@@ -306,7 +313,7 @@ class Engine:
         >>> bool(abs(first.force_forward).max() < 1e-9 * abs(second.force_forward).max())
         True
         """
-        options = {"speed": speed, "about": about, "series": series, "orders": orders, "samples": samples, "grid": grid}
+        options = {"speed": speed, "about": about, "series": series, "orders": orders, "samples": samples, "grid": grid, "bending_share": bending_share}
         return self._ask("loads", Loads, options)
 
     def bending(
@@ -588,7 +595,7 @@ class Engine:
         *,
         minimise: Limits = (),
         limit: Limits = (),
-        even_firing: Quantity | None = None,
+        even_firing: Quantity | bool | None = None,
         cylinders: int | None = None,
         in_line: bool = False,
         bank_angle: Quantities = (),
@@ -611,18 +618,18 @@ class Engine:
     ) -> Exploration:
         """All layouts that the parts of this engine can make: the Pareto-optimal ones, and what became of all others.
 
-        Angles [rad] and lengths [m] are lists of what is looked at; `throw_angles` may be ``"every 30 deg"``; `even_firing`: the tolerance of even
-        intervals [rad]. ``result.adopt(n)`` is layout `n` of the front, from 0, as an engine.
+        Angles [rad] and lengths [m] are lists of what is looked at; `throw_angles` may be ``"every 30 deg"``; `even_firing`: ``True`` for layouts
+        that fire evenly alone, or the tolerance of their intervals [rad]. ``result.adopt(n)`` is layout `n` of the front, from 0, as an engine.
 
         >>> from lanchester import Engine
-        >>> found = Engine.template("in-line-4").explore(minimise=["force order 2", "couple order 1"], throw_angles="every 90 deg", even_firing=1e-6)
+        >>> found = Engine.template("in-line-4").explore(minimise=["force order 2", "couple order 1"], throw_angles="every 90 deg", even_firing=True)
         >>> len(found.front) > 0
         True
         """
         options = {
             "minimise": minimise,
             "limit": limit,
-            "even_firing": even_firing,
+            "even_firing": 0.0 if even_firing is True else None if even_firing is False else even_firing,
             "cylinders": cylinders,
             "in_line": in_line,
             "bank_angle": bank_angle,

@@ -6,9 +6,17 @@ An outcome is no error: limits that no weights can hold, a run that was stopped,
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Literal
+from typing import Any, Literal
 
 __all__ = ["Diagnostic", "EngineFileError", "InternalError", "LanchesterError", "RequestError"]
+
+
+def _again(kind: type[LanchesterError], args: tuple[Any, ...], fields: dict[str, Any]) -> LanchesterError:
+    """An exception that another process has raised."""
+    made = kind.__new__(kind)
+    made.args = args
+    made.__dict__.update(fields)
+    return made
 
 
 @dataclass(frozen=True)
@@ -61,6 +69,10 @@ class LanchesterError(Exception):
         self.message = message
         self.hint = hint
         super().__init__(f"{message}\nhint: {hint}" if hint else message)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        # As it is, to other processes too.
+        return _again, (type(self), self.args, self.__dict__)
 
 
 class EngineFileError(LanchesterError, ValueError):

@@ -6086,10 +6086,10 @@ class LoadSet(Record):
 
 
 class Loads(Result):
-    """Loads of an engine at one speed."""
+    """Loads with what they do inside the crankshafts."""
 
     __slots__ = ()
-    _FIELDS = ("cylinders", "diagnosis", "engine", "kinematics", "motion", "parts", "period", "reference", "speed", "total", "version",)
+    _FIELDS = ("cylinders", "diagnosis", "engine", "internal", "kinematics", "motion", "parts", "period", "reference", "speed", "total", "version",)
 
     @property
     def cylinders(self) -> Records[CylinderLoads]:
@@ -6105,6 +6105,13 @@ class Loads(Result):
     def engine(self) -> str:
         """Name of the engine."""
         return self._get("engine")  # type: ignore[no-any-return]
+
+    @property
+    def internal(self) -> Records[InternalMoments]:
+        """Shear forces and bending moments inside the crankshafts: the case asked for, then those to compare it with. Computed when they
+        are looked at.
+        """
+        return self._all("internal", InternalMoments)
 
     @property
     def kinematics(self) -> str:

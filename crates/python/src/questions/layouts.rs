@@ -2,6 +2,7 @@
 
 use super::studies::run_study;
 use crate::answer::{Data, Shown};
+use crate::blocks::{Blocks, Tabled};
 use crate::failure::Failure;
 use crate::options::Options;
 use crate::prepared::Prepared;
@@ -9,13 +10,14 @@ use crate::question::{How, Question, Run};
 use lanchester::file::expanded;
 use lanchester::report::{layout_front_figure, layout_front_table, layout_ranking_table, layout_search_text};
 use lanchester::results;
+use lanchester::run::Head;
 use lanchester::study::explore::{
-    Constraint, CounterweightPattern, ExploreAnswer, ExploreRequest, Explorer, Objective, even_angles,
+    self, Constraint, CounterweightPattern, ExploreAnswer, ExploreRequest, Explorer, Objective, even_angles,
 };
 use lanchester::task::option;
 use lanchester::{
-    LayoutChoices, LayoutRows, LayoutSpace, LayoutStudy, adopted_layout, given_engine, layout_space,
-    own_pattern,
+    LayoutChoices, LayoutRows, LayoutSpace, LayoutStudy, SavedSearch, adopted_layout, given_engine,
+    layout_space, own_pattern,
 };
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -149,7 +151,12 @@ fn given<T>(list: Vec<T>) -> Result<Option<Vec<T>>, Failure> {
     Ok((!list.is_empty()).then_some(list))
 }
 
-fn read_explore(options: &Options<'_>) -> Result<Run, Failure> {
+/// What becomes a search once the engine is known.
+type Prepare =
+    Box<dyn Fn(&Arc<Prepared>, LayoutRows) -> Result<(LayoutStudy, Vec<String>), Failure> + Send + Sync>;
+
+/// The search behind the arguments, with what the user should know of it.
+fn search(options: &Options<'_>) -> Result<Prepare, Failure> {
     let mut constraints = Vec::new();
     if let Some(tolerance) = options.angle("even_firing")? {
         constraints.push(Constraint::EvenFiring { tolerance });
@@ -203,8 +210,7 @@ fn read_explore(options: &Options<'_>) -> Result<Run, Failure> {
     };
     let most_cases = options.whole("max_cases", 1, u64::MAX)?;
     let most_on_front = options.whole("max_on_front", 1, 1 << 20)?;
-    Ok(Box::new(move |engines, watch| {
-        let own = &engines[0];
+    Ok(Box::new(move |own, rows| {
         let engine = own.engine();
         let mut choices = choices.clone();
         choices.counterweights = given(
@@ -226,27 +232,58 @@ fn read_explore(options: &Options<'_>) -> Result<Run, Failure> {
             request.most_on_front = most as usize;
         }
         let explorer = Explorer::new(request).map_err(Failure::refused)?;
-        let study = LayoutStudy { explorer, rows: LayoutRows::Nothing };
-        let found = run_study(&study, watch)?;
-        let explorer = study.explorer;
-        let mut answer = explorer.answer(&found, &engine.name, notes).map_err(Failure::refused)?;
-        answer.given = Some(given_engine(engine, &explorer, &answer).map_err(Failure::refused)?);
-        Ok(Data::new(
-            Exploration { answer, explorer: Some(explorer) },
-            own,
-            Shown {
-                text: |found, _| layout_search_text(&found.answer, 20, false),
-                tables: |found, _| {
-                    vec![layout_front_table(&found.answer), layout_ranking_table(&found.answer)]
-                },
-                figures: |found, _| match found.answer.front.is_empty() {
-                    true => Vec::new(),
-                    false => vec![layout_front_figure(&found.answer)],
-                },
-                adopted: Some(adopted),
-            },
-        ))
+        Ok((LayoutStudy { explorer, rows }, notes))
     }))
+}
+
+fn read_explore(options: &Options<'_>) -> Result<Run, Failure> {
+    let prepare = search(options)?;
+    Ok(Box::new(move |engines, watch| {
+        let own = &engines[0];
+        let (study, notes) = prepare(own, LayoutRows::Nothing)?;
+        let found = run_study(&study, watch)?;
+        answer(own, &study.explorer, &found, &notes)
+    }))
+}
+
+/// The same search with its cases as rows, in blocks.
+pub fn explore_blocks(options: &Options<'_>, own: &Arc<Prepared>) -> Result<Box<dyn Blocks>, Failure> {
+    let words = [("judged", LayoutRows::Judged), ("front", LayoutRows::Front)];
+    let rows = options.word("rows", &words)?.unwrap_or(LayoutRows::Judged);
+    let (study, notes) = search(options)?(own, rows)?;
+    let request = study.explorer.request().clone();
+    let head = Head::new("explore", &SavedSearch { request, rows, notes: notes.clone() }, &own.text)?;
+    let own = own.clone();
+    Ok(Box::new(Tabled {
+        study,
+        head,
+        fail: Failure::refused,
+        answer: Box::new(move |study, found| answer(&own, &study.explorer, found, &notes).map(Some)),
+    }))
+}
+
+fn answer(
+    own: &Arc<Prepared>,
+    explorer: &Explorer,
+    found: &explore::Exploration,
+    notes: &[String],
+) -> Result<Data, Failure> {
+    let engine = own.engine();
+    let mut answer = explorer.answer(found, &engine.name, notes.to_vec()).map_err(Failure::refused)?;
+    answer.given = Some(given_engine(engine, explorer, &answer).map_err(Failure::refused)?);
+    Ok(Data::new(
+        Exploration { answer, explorer: Some(explorer.clone()) },
+        own,
+        Shown {
+            text: |found, _| layout_search_text(&found.answer, 20, false),
+            tables: |found, _| vec![layout_front_table(&found.answer), layout_ranking_table(&found.answer)],
+            figures: |found, _| match found.answer.front.is_empty() {
+                true => Vec::new(),
+                false => vec![layout_front_figure(&found.answer)],
+            },
+            adopted: Some(adopted),
+        },
+    ))
 }
 
 /// A layout of the front by its index, from 0.

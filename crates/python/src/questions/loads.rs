@@ -3,6 +3,7 @@
 use crate::answer::{Data, Shown};
 use crate::failure::Failure;
 use crate::options::Options;
+use crate::prepared::Prepared;
 use crate::question::{How, Question, Run};
 use lanchester::mechanism::{
     InternalMoments, InternalRequest, Kinematics, LoadRequest, Loads, MountStudy, PeakMode, internal_cases,
@@ -15,10 +16,12 @@ use lanchester::report::{
 };
 use lanchester::{Inertias, MountSpeeds, inertias, mounts};
 use schemars::JsonSchema;
-use serde::Serialize;
+use serde::ser::Error as _;
+use serde::{Serialize, Serializer};
+use std::sync::{Arc, OnceLock};
 
 pub(super) const QUESTIONS: [Question; 4] = [
-    Question::of::<Loads>("loads", How::Short, read_loads),
+    Question::of::<AllLoads>("loads", How::Short, read_loads),
     Question::of::<Bending>("bending", How::Short, read_bending),
     Question::of::<MountStudy>("mounts", How::Long, read_mounts),
     Question::of::<Inertias>("inertias", How::Short, read_inertias),
@@ -62,16 +65,78 @@ fn series(text: &str) -> Result<Kinematics, Failure> {
     })
 }
 
+/// Angles a revolution of the shear forces and bending moments beside the loads, as the command line has them.
+const INTERNAL_ANGLES: usize = 72;
+
+/// Loads with what they do inside the crankshafts.
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "Loads")]
+struct AllLoads {
+    #[serde(flatten)]
+    loads: Loads,
+    /// Shear forces and bending moments inside the crankshafts: the case asked for, then those to compare it with. Computed when they
+    /// are looked at.
+    #[schemars(with = "Vec<InternalMoments>")]
+    internal: Internal,
+}
+
+/// What is computed when somebody looks at it.
+struct Internal {
+    engine: Arc<Prepared>,
+    request: InternalRequest,
+    cases: OnceLock<Result<Vec<InternalMoments>, String>>,
+}
+
+impl Internal {
+    fn cases(&self) -> &Result<Vec<InternalMoments>, String> {
+        let find = || internal_cases(self.engine.engine(), &self.request).map_err(|error| error.to_string());
+        self.cases.get_or_init(find)
+    }
+}
+
+impl Serialize for Internal {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        self.cases().as_ref().map_err(S::Error::custom)?.serialize(serializer)
+    }
+}
+
+/// Share of the reciprocating forces that counts in shear and bending, from 0 to 1.
+fn bending_share(options: &Options<'_>, name: &str) -> Result<f64, Failure> {
+    match options.share(name)? {
+        None => Ok(InternalRequest::default().reciprocating_share),
+        Some(share) if (0.0..=1.0).contains(&share) => Ok(share),
+        Some(share) => Err(Failure::option(
+            format_args!("`{name}` needs a share from 0 to 1, got {share}"),
+            "write it like 0.5 or \"50 %\"",
+        )),
+    }
+}
+
 fn read_loads(options: &Options<'_>) -> Result<Run, Failure> {
     let request = load_request(options)?;
+    let usual = InternalRequest::default();
+    let internal = InternalRequest {
+        speed: request.speed,
+        kinematics: request.kinematics,
+        reciprocating_share: bending_share(options, "bending_share")?,
+        samples: request.samples.min(INTERNAL_ANGLES),
+        ..usual
+    };
     Ok(Box::new(move |engines, _| {
-        let found = loads(engines[0].engine(), &request).map_err(Failure::refused)?;
+        let own = &engines[0];
+        let found = loads(own.engine(), &request).map_err(Failure::refused)?;
+        let internal = Internal { engine: own.clone(), request: internal.clone(), cases: OnceLock::new() };
         Ok(Data::new(
-            found,
-            &engines[0],
+            AllLoads { loads: found, internal },
+            own,
             Shown {
-                text: |found, _| loads_text(found),
+                text: |found, engine| {
+                    let internal = found.internal.cases();
+                    let cases = internal.as_ref().map_or(String::new(), |cases| internal_text(engine, cases));
+                    loads_text(&found.loads) + &cases
+                },
                 tables: |found, _| {
+                    let found = &found.loads;
                     let tables = [
                         findings_table(found),
                         peaks_table(found),
@@ -86,7 +151,7 @@ fn read_loads(options: &Options<'_>) -> Result<Run, Failure> {
                     tables.into_iter().chain(others.into_iter().flatten()).collect()
                 },
                 figures: |found, engine| {
-                    loads_sections(engine, found)
+                    loads_sections(engine, &found.loads)
                         .iter()
                         .flat_map(|section| section.figures())
                         .cloned()
@@ -111,7 +176,7 @@ fn read_bending(options: &Options<'_>) -> Result<Run, Failure> {
     let request = InternalRequest {
         speed,
         kinematics,
-        reciprocating_share: options.share("reciprocating_share")?.unwrap_or(usual.reciprocating_share),
+        reciprocating_share: bending_share(options, "reciprocating_share")?,
         samples: options.whole("samples", 8, MOST_SAMPLES)?.map_or(usual.samples, |count| count as usize),
         ..usual
     };

@@ -1,9 +1,11 @@
 //! Questions about many engines: side by side, what matters most, what production makes of them.
 
 use crate::answer::{Data, Shown};
+use crate::blocks::{Blocks, Tabled};
 use crate::failure::Failure;
 use crate::guard::Watch;
 use crate::options::Options;
+use crate::prepared::Prepared;
 use crate::question::{How, Question, Run};
 use lanchester::literature::TwinArrangement;
 use lanchester::mechanism::OuterTorque;
@@ -12,14 +14,16 @@ use lanchester::report::{
     scatter_limit_table, scatter_table, scatter_text, sensitivity_tables, sensitivity_text, tolerance_table,
     tornado_figure,
 };
-use lanchester::run::{Study, stretch};
+use lanchester::run::{Head, Study, stretch};
 use lanchester::study::compare::{Comparison, Equal, Held};
-use lanchester::study::scatter::{ScatterOptions, ScatterStudy, Scattering, scatter_study_of};
-use lanchester::study::sensitivity::{
-    Amount, Measure, Output, Quantity, Sensitivity, SensitivityRequest, Weights, sensitivity,
-};
+use lanchester::study::scatter::{ScatterOptions, ScatterStudy, Scattering, Tally, scatter_study_of};
+use lanchester::study::sensitivity::{Output, Sensitivity, SensitivityRequest, Weights, sensitivity};
 use lanchester::task::option;
-use lanchester::{CompareEntry, CompareRequest, ComparedWith, SampleStudy, compare, operating_point};
+use lanchester::{
+    CompareEntry, CompareRequest, ComparedWith, SampleStudy, SavedScatter, compare, operating_point,
+    sensitivity_amount,
+};
+use std::sync::Arc;
 
 pub(super) const QUESTIONS: [Question; 3] = [
     Question::of::<Comparison>("compare", How::Long, read_compare),
@@ -95,42 +99,12 @@ fn read_compare(options: &Options<'_>) -> Result<Run, Failure> {
     }))
 }
 
-/// `rod length = 10 %`: a quantity, and how far it goes.
-fn amount(text: &str) -> Result<(Quantity, Amount), Failure> {
-    let Some((name, value)) = text.split_once('=') else {
-        return Err(Failure::option(
-            format_args!("`vary` needs a quantity and how far it goes, got \"{text}\""),
-            "for example vary=\"rod length = 10 %\"",
-        ));
-    };
-    let name = name.split_whitespace().collect::<Vec<_>>().join(" ");
-    let Some(quantity) = Quantity::all().find(|quantity| quantity.name() == name) else {
-        let names: Vec<&str> = Quantity::all().map(Quantity::name).collect();
-        return Err(Failure::option(
-            format_args!("`vary` knows no quantity \"{name}\""),
-            format_args!("it knows {}", names.join(", ")),
-        ));
-    };
-    if value.trim_end().ends_with('%') {
-        return Ok((quantity, Amount::Share(option::share(value, &name)?)));
-    }
-    let read = match quantity.measure() {
-        Measure::Mass | Measure::BodyMass => option::mass,
-        Measure::Length | Measure::Place => option::length,
-        Measure::Angle => option::angle,
-        Measure::Unbalance => option::unbalance,
-        Measure::Inertia | Measure::BodyInertia => option::inertia,
-        Measure::Speed => option::speed,
-        Measure::Factor => option::share,
-    };
-    Ok((quantity, Amount::Absolute(read(value, &name)?)))
-}
-
 fn read_sensitivity(options: &Options<'_>) -> Result<Run, Failure> {
     let speed = options.speed("speed")?;
     let names = options.texts("output")?;
+    let amounts = options.texts("vary")?;
     let amounts =
-        options.texts("vary")?.iter().map(|text| amount(text)).collect::<Result<Vec<_>, Failure>>()?;
+        amounts.iter().map(|text| sensitivity_amount(text, "vary")).collect::<Result<Vec<_>, _>>()?;
     let each = options.flag("each")?.unwrap_or(false);
     let only = options.flag("only")?.unwrap_or(false);
     let seed = options.whole("seed", 0, u64::MAX)?.unwrap_or(1);
@@ -164,44 +138,73 @@ fn read_sensitivity(options: &Options<'_>) -> Result<Run, Failure> {
     }))
 }
 
-fn read_scatter(options: &Options<'_>) -> Result<Run, Failure> {
+/// The request behind the arguments of a scatter.
+fn scatter_request(options: &Options<'_>) -> Result<SavedScatter, Failure> {
     let usual = ScatterOptions::default();
-    let limits = options.texts("limit")?;
-    let scatter = ScatterOptions {
+    Ok(SavedScatter {
         speed: options.speed("speed")?,
         samples: options.whole("samples", 1, 1 << 40)?.unwrap_or(usual.samples),
         seed: options.whole("seed", 0, u64::MAX)?.unwrap_or(usual.seed),
-        peaks: !options.flag("orders_only")?.unwrap_or(false),
-        limits: Vec::new(),
+        orders_only: options.flag("orders_only")?.unwrap_or(false),
+        limits: options.texts("limit")?,
         capability: options.number("capability")?.unwrap_or(usual.capability),
-    };
+    })
+}
+
+fn sample_study(saved: &SavedScatter, own: &Prepared, keeps_samples: bool) -> Result<SampleStudy, Failure> {
+    let limit = |text: &String| option::limit(text, own.engine(), "limit");
+    let asked = saved.options(saved.limits.iter().map(limit).collect::<Result<_, _>>()?);
+    let request = asked.request(own.engine(), &own.file.tasks.tolerances).map_err(Failure::refused)?;
+    let scattering = Scattering::new(request).map_err(Failure::refused)?;
+    Ok(SampleStudy { scattering, keeps_samples })
+}
+
+fn read_scatter(options: &Options<'_>) -> Result<Run, Failure> {
+    let saved = scatter_request(options)?;
     Ok(Box::new(move |engines, watch| {
         let own = &engines[0];
-        let limit = |text: &String| option::limit(text, own.engine(), "limit");
-        let limits = limits.iter().map(limit).collect::<Result<Vec<_>, _>>()?;
-        let asked = ScatterOptions { limits, ..scatter.clone() };
-        let request = asked.request(own.engine(), &own.file.tasks.tolerances).map_err(Failure::refused)?;
-        let scattering = Scattering::new(request).map_err(Failure::refused)?;
-        let study = SampleStudy { scattering, keeps_samples: false };
+        let study = sample_study(&saved, own, false)?;
         let tally = run_study(&study, watch)?;
-        let found =
-            scatter_study_of(&study.scattering, &tally, asked.capability).map_err(Failure::refused)?;
-        let found = found.ok_or_else(|| Failure::Internal("no sample was drawn".into()))?;
-        Ok(Data::new(
-            found,
-            own,
-            Shown {
-                text: |found, _| scatter_text(found),
-                tables: |found, _| {
-                    let limits = scatter_limit_table(found);
-                    [Some(scatter_table(found)), limits, Some(tolerance_table(found))]
-                        .into_iter()
-                        .flatten()
-                        .collect()
-                },
-                figures: |found, _| vec![scatter_figure(found)],
-                adopted: None,
+        let found = scattered(own, &saved, &study, &tally)?;
+        found.ok_or_else(|| Failure::Internal("no sample was drawn".into()))
+    }))
+}
+
+/// The same scatter with its samples as rows, in blocks.
+pub fn scatter_blocks(options: &Options<'_>, own: &Arc<Prepared>) -> Result<Box<dyn Blocks>, Failure> {
+    let saved = scatter_request(options)?;
+    let study = sample_study(&saved, own, true)?;
+    let head = Head::new("scatter", &saved, &own.text)?;
+    let own = own.clone();
+    Ok(Box::new(Tabled {
+        study,
+        head,
+        fail: Failure::refused,
+        answer: Box::new(move |study, tally| scattered(&own, &saved, study, tally)),
+    }))
+}
+
+/// What is told of the samples that were drawn; `None` of no sample.
+fn scattered(
+    own: &Arc<Prepared>,
+    saved: &SavedScatter,
+    study: &SampleStudy,
+    tally: &Tally,
+) -> Result<Option<Data>, Failure> {
+    let found = scatter_study_of(&study.scattering, tally, saved.capability).map_err(Failure::refused)?;
+    Ok(found.map(|found| {
+        let shown = Shown {
+            text: |found, _| scatter_text(found),
+            tables: |found, _| {
+                let limits = scatter_limit_table(found);
+                [Some(scatter_table(found)), limits, Some(tolerance_table(found))]
+                    .into_iter()
+                    .flatten()
+                    .collect()
             },
-        ))
+            figures: |found, _| vec![scatter_figure(found)],
+            adopted: None,
+        };
+        Data::new(found, own, shown)
     }))
 }

@@ -1,5 +1,7 @@
 //! `lanchester loads`: what shakes the engine.
 
+mod cases;
+
 use crate::arguments::{LoadsArguments, LoadsTable};
 use crate::commands::{json, open, refused};
 use crate::failure::{DONE, Failure};
@@ -28,6 +30,9 @@ pub fn run(arguments: &LoadsArguments, colour: bool) -> Result<u8, Failure> {
             "--table chooses what --format csv writes",
             "add --format csv, or leave --table out",
         ));
+    }
+    if let Some(cases) = &arguments.cases {
+        return cases::run(arguments, cases, colour);
     }
     let samples = arguments.samples as usize;
     let request = LoadRequest { samples, ..load_request(&arguments.request)? };

@@ -1,0 +1,126 @@
+//! `lanchester loads --cases`: the loads of every row of a table of cases.
+
+use crate::arguments::LoadsArguments;
+use crate::commands::{json, open};
+use crate::failure::{DONE, Failure, WRONG_INPUT};
+use crate::files::{print, read_bytes, write_result};
+use crate::format::Format;
+use crate::requests::loads::load_request;
+use lanchester::report::{Cell, Table};
+use lanchester::{CaseCell, CaseFault, CaseRow, CaseTable, case_loads};
+use lanchester_files::shown;
+use lanchester_sheet::{self as sheet, read_csv, read_workbook, workbook};
+use std::path::Path;
+
+/// Faults that are told; what follows them has often the same cause.
+const MOST_FAULTS: usize = 50;
+
+const HINT: &str = "a table of cases is CSV in UTF-8 or a workbook (.xlsx): keys of the engine file in its first row, such as rod.length [mm]";
+
+pub fn run(arguments: &LoadsArguments, cases: &Path, colour: bool) -> Result<u8, Failure> {
+    let output = arguments.output.as_deref();
+    if let Some(path) = output.filter(|path| !matches!(ending(path).as_str(), "csv" | "xlsx")) {
+        return Err(Failure::input(
+            format_args!("the loads of cases are written as .csv or .xlsx, got {}", shown(path)),
+            "give --output one of these endings",
+        ));
+    }
+    let request = load_request(&arguments.request)?;
+    let opened = open(&arguments.file, colour)?;
+    let told = |faults: Vec<CaseFault>| all_faults(cases, &faults);
+    let table = CaseTable::of(rows(cases)?).map_err(told)?;
+    let found = case_loads(&opened.source.text, &table, &request).map_err(told)?;
+    match output {
+        Some(path) if ending(path) == "xlsx" => {
+            let bytes = as_workbook(&found).map_err(|error| Failure::input(error, "write them as .csv"))?;
+            write_result(path, &arguments.file, &bytes)?;
+        }
+        Some(path) => write_result(path, &arguments.file, &found.csv())?,
+        None => print(&match arguments.format {
+            Format::Text => found.text(),
+            Format::Csv => found.csv(),
+            Format::Json => json(&objects(&found))?,
+        })?,
+    }
+    if let Some(path) = output {
+        eprintln!("loads of {} cases written into {}", table.len(), shown(path));
+    }
+    Ok(DONE)
+}
+
+fn ending(path: &Path) -> String {
+    path.extension().map(|ending| ending.to_string_lossy().to_lowercase()).unwrap_or_default()
+}
+
+fn rows(path: &Path) -> Result<Vec<CaseRow>, Failure> {
+    let bytes = read_bytes(path, HINT)?;
+    let wrong = |error: &dyn std::fmt::Display| {
+        Failure::input(format_args!("cannot read {}: {error}", shown(path)), HINT)
+    };
+    let rows = match ending(path).as_str() {
+        "xlsx" => read_workbook(&bytes).map_err(|error| wrong(&error))?,
+        _ => {
+            let text = String::from_utf8(bytes).map_err(|error| {
+                wrong(&format_args!("it is not UTF-8 text (byte {})", error.utf8_error().valid_up_to()))
+            })?;
+            read_csv(&text).map_err(|error| wrong(&error))?
+        }
+    };
+    let cell = |cell: sheet::Cell| match cell {
+        sheet::Cell::Empty => CaseCell::Empty,
+        sheet::Cell::Text(text) => CaseCell::Text(text),
+        sheet::Cell::Number(number) => CaseCell::Number(number),
+        sheet::Cell::Flag(flag) => CaseCell::Flag(flag),
+        sheet::Cell::Unusable(words) => CaseCell::Unusable(words),
+    };
+    let row =
+        |row: sheet::Row| CaseRow { number: row.number, cells: row.cells.into_iter().map(cell).collect() };
+    Ok(rows.into_iter().map(row).collect())
+}
+
+/// All faults at once.
+fn all_faults(path: &Path, faults: &[CaseFault]) -> Failure {
+    let mut lines: Vec<String> =
+        faults.iter().take(MOST_FAULTS).map(|fault| format!("error: {}: {fault}", shown(path))).collect();
+    if faults.len() > MOST_FAULTS {
+        lines.push(format!("error: and {} more", faults.len() - MOST_FAULTS));
+    }
+    lines.push(
+        "hint: no case was computed; mend these cells, or empty them to keep what the engine file has".into(),
+    );
+    Failure { status: WRONG_INPUT, message: lines.join("\n") }
+}
+
+/// Heads with their units.
+fn heads(table: &Table) -> Vec<String> {
+    let head = |own: &lanchester::report::Column| match own.unit {
+        "" => own.header.clone(),
+        unit => format!("{} [{unit}]", own.header),
+    };
+    table.columns.iter().map(head).collect()
+}
+
+fn as_workbook(table: &Table) -> Result<Vec<u8>, sheet::SheetError> {
+    let cell = |cell: &Cell| match cell {
+        Cell::Text(text) | Cell::Formula { text, .. } => match text.parse::<f64>() {
+            Ok(number) if number.is_finite() => sheet::Cell::Number(number),
+            _ => sheet::Cell::Text(text.clone()),
+        },
+        Cell::Number { value, .. } => sheet::Cell::Number(*value),
+        Cell::Empty => sheet::Cell::Empty,
+    };
+    let rows: Vec<Vec<sheet::Cell>> = table.rows.iter().map(|row| row.iter().map(cell).collect()).collect();
+    workbook("loads", &heads(table), &rows)
+}
+
+/// A row an object, by its heads.
+fn objects(table: &Table) -> Vec<serde_json::Map<String, serde_json::Value>> {
+    let heads = heads(table);
+    let value = |cell: &Cell| match cell {
+        Cell::Text(text) | Cell::Formula { text, .. } => serde_json::Value::from(text.clone()),
+        Cell::Number { value, .. } => serde_json::Value::from(*value),
+        Cell::Empty => serde_json::Value::Null,
+    };
+    let row = |row: &Vec<Cell>| heads.iter().cloned().zip(row.iter().map(value)).collect();
+    table.rows.iter().map(row).collect()
+}

@@ -1,0 +1,168 @@
+"""Files for other programs, read back by readers of others: pyNastran, pyuff, pyarrow, and workbooks by what wrote and reads them."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from lanchester import Engine
+
+ROOT = Path(__file__).parents[3]
+MOUNTED = ROOT / "examples" / "in-line-4-mounts.toml"
+PROGRAM = os.environ.get("LANCHESTER_PROGRAM")
+pytestmark = pytest.mark.skipif(PROGRAM is None, reason="LANCHESTER_PROGRAM names no program; `cargo xtask python` does")
+SPEEDS = [100.0, 250.0, 400.0]
+
+
+def program(*line: object) -> str:
+    done = subprocess.run([str(PROGRAM), *map(str, line)], capture_output=True, text=True, encoding="utf-8", check=False)
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
+def expected() -> tuple[dict[tuple[str, float], np.ndarray[Any, Any]], dict[tuple[int, float], np.ndarray[Any, Any]]]:
+    """Forces by name and order at mounts, by number and order at main bearings: (speed, axis), each by another way than the export."""
+    engine = Engine.read(MOUNTED)
+    study = engine.mounts(speeds=SPEEDS, orders=4)
+    mounts: dict[tuple[str, float], np.ndarray[Any, Any]] = {}
+    for place, own in enumerate(study.response.speeds):
+        for order in own.orders:
+            for name, force in zip(study.response.mounts, np.asarray(order.forces), strict=True):
+                here = mounts.setdefault((name, order.order), np.zeros((len(SPEEDS), 3), complex))
+                here[place] = force[:, 0] + 1j * force[:, 1]
+    mains: dict[tuple[int, float], np.ndarray[Any, Any]] = {}
+    for place, speed in enumerate(SPEEDS):
+        loads = engine.bearings(speed, samples=720)
+        revolutions = round(loads.period / (2 * np.pi))
+        for main in loads.mains:
+            series = np.asarray(main.load.load)
+            for axis in (0, 1):
+                spectrum = np.fft.rfft(series[:, axis]) * 2 / len(series)
+                for number in range(1, 4 * revolutions + 1):
+                    here = mains.setdefault((main.main, number / revolutions), np.zeros((len(SPEEDS), 3), complex))
+                    here[place, axis] = spectrum[number]
+    return mounts, mains
+
+
+def arguments(tmp_path: Path, ending: str) -> tuple[Path, list[object]]:
+    output = tmp_path / f"four.{ending}"
+    speeds = ", ".join(f"{speed} rad/s" for speed in SPEEDS)
+    return output, [MOUNTED, "--speeds", speeds, "--orders", 4, "--first-node", 11, "--output", output]
+
+
+def test_pynastran_reads_the_forces_by_order(tmp_path: Path) -> None:
+    # The name that NumPy has left behind.
+    if not hasattr(np, "in1d"):
+        np.in1d = np.isin  # type: ignore[attr-defined]
+    bdf = pytest.importorskip("pyNastran.bdf.bdf")
+    output, line = arguments(tmp_path, "bdf")
+    program("export", "nastran", *line)
+    model = bdf.read_bdf(str(output), punch=True, xref=False, debug=None)
+    mounts, mains = expected()
+    names = [str(name) for name in Engine.read(MOUNTED).mounts(speeds=SPEEDS).response.mounts]
+    loads = {load.sid: load for own in model.dloads.values() for load in own} | {load.sid: load for own in model.dload_entries.values() for load in own}
+    areas = {area.sid: area for area in model.dareas.values()} if not isinstance(next(iter(model.dareas.values())), list) else {}
+    seen, worst, peak = set(), 0.0, 0.0
+    for text, sid in order_sets(output):
+        [combination] = model.dloads[sid]
+        [frequency] = model.frequencies[sid]
+        np.testing.assert_allclose(sorted(frequency.freqs), [text * speed / (2 * np.pi) for speed in SPEEDS], rtol=1e-8)
+        assert set(combination.scale_factors) == {1.0} and combination.scale == 1.0
+        for own in combination.load_ids:
+            load = loads[own]
+            assert load.Type == "LOAD"
+            area = areas[load.excite_id]
+            node, axis = area.node_ids[0], int(area.components[0]) - 1
+            real, imaginary = model.tables_d[load.tc], model.tables_d[load.td]
+            np.testing.assert_allclose(real.x, frequency.freqs, rtol=1e-8)
+            found = np.asarray(real.y) + 1j * np.asarray(imaginary.y)
+            due = mains[node - 1010, text] if node >= 1011 else mounts[names[node - 11], text]
+            worst, peak = max(worst, np.abs(found - due[:, axis]).max()), max(peak, np.abs(due).max())
+            seen.add((node, text, axis))
+    assert peak > 100 and worst < 1e-8 * peak, f"off by {worst} of {peak}"
+    due_mounts = {(names.index(name) + 11, order, axis) for (name, order), force in mounts.items() for axis in range(3) if np.any(force[:, axis] != 0)}
+    assert due_mounts <= seen
+    assert {node for node, _, _ in seen} == set(range(11, 11 + len(names))) | set(range(1011, 1011 + len({main for main, _ in mains})))
+    places = {node: model.nodes[node].get_position_no_xref(model) for node in model.nodes}
+    assert len(places) == len({node for node, _, _ in seen}) and any(np.abs(place).max() > 0.01 for place in places.values())
+
+
+def order_sets(output: Path) -> list[tuple[float, int]]:
+    """Orders with their sets as the head of the file names them."""
+    heads = [line.split() for line in output.read_text().splitlines() if line.startswith("$ subcase of order")]
+    return [(float(words[4].rstrip(":")), int(words[7].rstrip(","))) for words in heads]
+
+
+def test_pyuff_reads_the_forces_by_order(tmp_path: Path) -> None:
+    pyuff = pytest.importorskip("pyuff")
+    output, line = arguments(tmp_path, "unv")
+    program("export", "universal", *line)
+    sets = pyuff.UFF(str(output)).read_sets()
+    assert [own["type"] for own in sets[:2]] == [164, 2411] and all(own["type"] == 58 for own in sets[2:])
+    assert sets[0]["units_code"] == 1 and sets[0]["length"] == sets[0]["force"] == 1.0
+    mounts, mains = expected()
+    names = [str(name) for name in Engine.read(MOUNTED).mounts(speeds=SPEEDS).response.mounts]
+    worst, peak = 0.0, 0.0
+    for own in sets[2:]:
+        node, axis, order = int(own["rsp_node"]), int(own["rsp_dir"]) - 1, float(own["z_axis_value"])
+        assert own["func_type"] == 27 and own["ordinate_spec_data_type"] == 13 and own["abscissa_spec_data_type"] == 19
+        np.testing.assert_allclose(own["x"], np.array(SPEEDS) * 30 / np.pi, rtol=1e-5)
+        due = mains.get((node - 1010, order)) if node >= 1011 else mounts.get((names[node - 11], order))
+        column = np.zeros(len(SPEEDS)) if due is None else due[:, axis]
+        worst, peak = max(worst, np.abs(own["data"] - column).max()), max(peak, np.abs(column).max())
+    assert peak > 100 and worst < 1e-9 * peak, f"off by {worst} of {peak}"
+
+
+def test_histories_are_the_same_as_csv_and_parquet(tmp_path: Path) -> None:
+    import pandas as pd
+
+    for ending in ("csv", "parquet"):
+        program("export", "history", MOUNTED, "--speed", "3000 rpm", "--samples", 90, "--output", tmp_path / f"four.{ending}")
+    table, other = pd.read_parquet(tmp_path / "four.parquet"), pd.read_csv(tmp_path / "four.csv")
+    pd.testing.assert_frame_equal(table, other, rtol=1e-15)
+    engine = Engine.read(MOUNTED)
+    bearings, loads = engine.bearings("3000 rpm", samples=90), engine.loads("3000 rpm", samples=90)
+    assert len(table) == len(bearings.theta)
+    np.testing.assert_allclose(table["time_s"], bearings.theta / bearings.speed)
+    np.testing.assert_allclose(table["main_bearing_2_y_N"], np.asarray(bearings.mains[1].load.load)[:, 1])
+    count = len(loads.total.trace.theta)
+    np.testing.assert_allclose(table["shaking_force_x_N"][:count], loads.total.trace.force_x)
+    np.testing.assert_allclose(table["shaking_force_x_N"][-count:], loads.total.trace.force_x)
+
+
+def test_cases_are_read_and_written_as_csv_and_workbooks(tmp_path: Path) -> None:
+    four = ROOT / "examples" / "in-line-4.toml"
+    (tmp_path / "cases.csv").write_text("rod.length [mm],piston.mass,name\n140,0.30 kg,short\n155,,long\n", encoding="utf-8")
+    rows = json.loads(program("loads", four, "--cases", tmp_path / "cases.csv", "--format", "json"))
+    engine = Engine.read(four)
+    for row, changes in zip(rows, [{"rod.length": "140 mm", "piston.mass": "0.30 kg"}, {"rod.length": "155 mm"}], strict=True):
+        peaks = engine.with_(changes).loads().total.peaks
+        assert row["largest force [N]"] == peaks.force.max.value
+        assert row["largest roll moment [N m]"] == peaks.roll_moment.max.value
+    assert [row["row"] for row in rows] == [2, 3] and rows[1]["piston.mass"] is None
+    # What is written as a workbook is read as one.
+    program("loads", four, "--cases", tmp_path / "cases.csv", "--output", tmp_path / "loads.xlsx")
+    done = subprocess.run([str(PROGRAM), "loads", str(four), "--cases", str(tmp_path / "loads.xlsx")], capture_output=True, text=True, check=False)
+    assert done.returncode == 2 and "column G (largest force [N])" in done.stderr and "is no key" in done.stderr.replace("`", ""), done.stderr
+    assert "row 1, column F: `largest force [N]` is no key of an engine file" in done.stderr
+
+
+def test_every_bad_cell_is_told_with_row_and_column(tmp_path: Path) -> None:
+    (tmp_path / "cases.csv").write_text("rod.length [mm],piston.mass,crank.strok\nlong,,\n140,0.3 mm,\n\n150,,80 mm\n20,,\n", encoding="utf-8")
+    line = [str(PROGRAM), "loads", str(ROOT / "examples" / "in-line-4.toml"), "--cases", str(tmp_path / "cases.csv")]
+    done = subprocess.run(line, capture_output=True, text=True, check=False)
+    assert done.returncode == 2 and done.stdout == ""
+    for words in [
+        "row 2, column A (rod.length [mm]): needs a number [mm], got `long`",
+        "row 3, column B (piston.mass):",
+        "row 5, column C (crank.strok):",
+        "row 6, column A (rod.length [mm]):",
+        "hint: no case was computed",
+    ]:
+        assert words in done.stderr, f"{words} is not in {done.stderr}"

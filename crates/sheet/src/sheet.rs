@@ -1,0 +1,153 @@
+//! Reading and writing of cells.
+
+use calamine::{Data, Reader, Xlsx};
+use rust_xlsxwriter::{DocProperties, ExcelDateTime, Format, Workbook, XlsxError};
+use std::io::Cursor;
+
+/// A cell.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Cell {
+    /// Nothing.
+    Empty,
+    /// Words, without blanks at its ends.
+    Text(String),
+    /// A number.
+    Number(f64),
+    /// True or false.
+    Flag(bool),
+    /// What is no value: an error of the workbook, a date; in words.
+    Unusable(String),
+}
+
+/// A row that is not empty.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Row {
+    /// Its number as the program that made the table shows it, from 1.
+    pub number: usize,
+    /// Its cells, from the first column on.
+    pub cells: Vec<Cell>,
+}
+
+/// Why cells cannot be read or written.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum SheetError {
+    /// Not CSV.
+    #[error("row {row} is not CSV: {reason}")]
+    Csv {
+        /// Its number, from 1.
+        row: u64,
+        /// Why.
+        reason: String,
+    },
+    /// Not a workbook, or a damaged one.
+    #[error("not a workbook (xlsx) that can be read: {0}")]
+    Workbook(String),
+    /// More rows or columns than a sheet has, or text longer than a cell.
+    #[error("a workbook cannot hold it: {0}")]
+    Write(#[from] XlsxError),
+}
+
+/// The rows of a CSV text (RFC 4180); empty ones are left out.
+///
+/// # Errors
+/// [`SheetError::Csv`].
+pub fn read_csv(text: &str) -> Result<Vec<Row>, SheetError> {
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    let mut reader = csv::ReaderBuilder::new().has_headers(false).flexible(true).from_reader(text.as_bytes());
+    let mut rows = Vec::new();
+    for record in reader.records() {
+        let record = record.map_err(|error| SheetError::Csv {
+            row: error.position().map_or(0, csv::Position::line),
+            reason: error.to_string(),
+        })?;
+        let number = record.position().map_or(0, csv::Position::line) as usize;
+        let cells: Vec<Cell> = record.iter().map(text_cell).collect();
+        if cells.iter().any(|cell| *cell != Cell::Empty) {
+            rows.push(Row { number, cells });
+        }
+    }
+    Ok(rows)
+}
+
+fn text_cell(text: &str) -> Cell {
+    match text.trim() {
+        "" => Cell::Empty,
+        text => Cell::Text(text.to_owned()),
+    }
+}
+
+/// The rows of the first sheet of a workbook (xlsx); empty ones are left out.
+///
+/// # Errors
+/// [`SheetError::Workbook`].
+pub fn read_workbook(bytes: &[u8]) -> Result<Vec<Row>, SheetError> {
+    let wrong = |reason: &dyn std::fmt::Display| SheetError::Workbook(reason.to_string());
+    let mut book = Xlsx::new(Cursor::new(bytes)).map_err(|error| wrong(&error))?;
+    let range = book
+        .worksheet_range_at(0)
+        .ok_or_else(|| wrong(&"it has no sheet"))?
+        .map_err(|error| wrong(&error))?;
+    let (first_row, first_column) = range.start().unwrap_or((0, 0));
+    let cell = |data: &Data| match data {
+        Data::Empty => Cell::Empty,
+        Data::Int(number) => Cell::Number(*number as f64),
+        Data::Float(number) => Cell::Number(*number),
+        Data::String(text) => text_cell(text),
+        Data::Bool(flag) => Cell::Flag(*flag),
+        Data::Error(error) => Cell::Unusable(error.to_string()),
+        other => Cell::Unusable(format!("the date or time {other}")),
+    };
+    let mut rows = Vec::new();
+    for (place, row) in range.rows().enumerate() {
+        // What stands left of the first used column is empty.
+        let left = vec![Cell::Empty; first_column as usize];
+        let mut cells: Vec<Cell> = left.into_iter().chain(row.iter().map(cell)).collect();
+        while cells.last() == Some(&Cell::Empty) {
+            cells.pop();
+        }
+        if !cells.is_empty() {
+            rows.push(Row { number: first_row as usize + place + 1, cells });
+        }
+    }
+    Ok(rows)
+}
+
+/// A workbook of one sheet with a row of heads, the same bytes whenever it is written.
+///
+/// # Errors
+/// [`SheetError::Write`].
+pub fn workbook(name: &str, heads: &[String], rows: &[Vec<Cell>]) -> Result<Vec<u8>, SheetError> {
+    let mut book = Workbook::new();
+    // Without it the bytes hold the time.
+    let made = ExcelDateTime::from_ymd(2000, 1, 1)?;
+    book.set_properties(&DocProperties::new().set_creation_datetime(&made));
+    let sheet = book.add_worksheet();
+    sheet.set_name(name)?;
+    sheet.set_freeze_panes(1, 0)?;
+    let bold = Format::new().set_bold();
+    let place = |place: usize| u16::try_from(place).map_err(|_| XlsxError::RowColumnLimitError);
+    for (column, head) in heads.iter().enumerate() {
+        sheet.write_string_with_format(0, place(column)?, head, &bold)?;
+        sheet.set_column_width(place(column)?, head.chars().count().clamp(8, 40) as f64 + 2.0)?;
+    }
+    for (row, cells) in rows.iter().enumerate() {
+        let row = u32::try_from(row + 1).map_err(|_| XlsxError::RowColumnLimitError)?;
+        for (column, cell) in cells.iter().enumerate() {
+            let column = place(column)?;
+            match cell {
+                Cell::Number(number) if number.is_finite() => {
+                    sheet.write_number(row, column, *number)?;
+                }
+                Cell::Empty | Cell::Number(_) => {}
+                Cell::Text(text) | Cell::Unusable(text) => {
+                    sheet.write_string(row, column, text)?;
+                }
+                Cell::Flag(flag) => {
+                    sheet.write_boolean(row, column, *flag)?;
+                }
+            }
+        }
+    }
+    Ok(book.save_to_buffer()?)
+}

@@ -1,0 +1,34 @@
+//! Cells that are written are read again, in their rows and columns; what is no table says so.
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+use lanchester_sheet::{Cell, SheetError, read_csv, read_workbook, workbook};
+
+#[test]
+fn workbooks_read_back_and_are_the_same_bytes_again() {
+    let heads = ["rod.length [mm]".to_owned(), "name".to_owned(), "flag".to_owned()];
+    let rows = [
+        vec![Cell::Number(140.25), Cell::Text("=not a formula".to_owned()), Cell::Flag(true)],
+        vec![],
+        vec![Cell::Empty, Cell::Text("long".to_owned())],
+    ];
+    let bytes = workbook("cases", &heads, &rows).unwrap();
+    assert_eq!(bytes, workbook("cases", &heads, &rows).unwrap());
+    let read = read_workbook(&bytes).unwrap();
+    assert_eq!(read.iter().map(|row| row.number).collect::<Vec<_>>(), [1, 2, 4]);
+    assert_eq!(read[1].cells, rows[0]);
+    assert_eq!(read[2].cells, rows[2]);
+}
+
+#[test]
+fn csv_keeps_the_numbers_of_its_rows() {
+    let rows = read_csv("\u{feff}a,\"b, c\"\r\n\r\n1,\r\n").unwrap();
+    assert_eq!(rows[0].cells[1], Cell::Text("b, c".to_owned()));
+    assert_eq!((rows[1].number, rows[1].cells[1].clone()), (3, Cell::Empty));
+}
+
+#[test]
+fn what_is_no_workbook_says_so() {
+    for bytes in [&b""[..], b"rod.length\n140\n", b"PK\x03\x04 damaged"] {
+        assert!(matches!(read_workbook(bytes), Err(SheetError::Workbook(_))));
+    }
+}
