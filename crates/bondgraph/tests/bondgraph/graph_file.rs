@@ -171,8 +171,8 @@ fn signals_may_name_integrals_in_any_order() {
             "name = \"x\"\n[elements]\nv = {{ kind = \"1\", domain = \"translation\" }}\nm = {{ kind = \"I\", inertia = \"1 kg\" }}\n\
              s = {{ kind = \"Se\", effort = \"0 N\" }}\n[signals]\n{signals}\n[bonds]\nlist = [\"s > v\", \"v > m\"]\n"
         );
-        let graph = lanchester_bondgraph::Graph::read(&text).unwrap_or_else(|e| panic!("{order:?}: {e:#?}"));
-        let found = lanchester_bondgraph::equations(&graph).unwrap_or_else(|e| panic!("{e:#?}"));
+        let graph = Graph::read(&text).unwrap_or_else(|e| panic!("{order:?}: {e:#?}"));
+        let found = equations(&graph).unwrap_or_else(|e| panic!("{e:#?}"));
         let run = found.simulate(&found.request());
         let x = run.values("x").expect("its place");
         let want = 2.0 * (-0.5 * run.time[x.len() - 1]).exp();
@@ -181,6 +181,6 @@ fn signals_may_name_integrals_in_any_order() {
     let text = "name = \"x\"\n[elements]\nv = { kind = \"1\", domain = \"translation\" }\nm = { kind = \"I\", inertia = \"1 kg\" }\n\
                 s = { kind = \"Se\", effort = \"0 N\" }\n[signals]\npush = \"x/(1 s)\"\nx = { integral_of = \"push*(1 s)\", start = \"2 m\" }\n\
                 [bonds]\nlist = [\"s > v\", \"v > m\"]\n";
-    let mistakes = lanchester_bondgraph::Graph::read(text).expect_err("the integral is in m s");
+    let mistakes = Graph::read(text).expect_err("the integral is in m s");
     assert!(mistakes.iter().any(|mistake| mistake.code == "E1705"), "{mistakes:#?}");
 }

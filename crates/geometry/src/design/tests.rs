@@ -5,7 +5,7 @@ use super::number::Number;
 use super::problem::{Kind, Problem, SHAPE};
 use super::task::DesignTask;
 use lanchester_numerics::Interval;
-use lanchester_numerics::Jet;
+use lanchester_numerics::{Jet, Ring};
 use lanchester_shape::Point;
 use lanchester_task::DesignSettings;
 use lanchester_task::{DesignLimits, Range, Shoulder};
@@ -138,7 +138,7 @@ fn second_derivatives_hold_differences_of_the_first() {
             (pair[0], std::array::from_fn(|k| pair[0][k] + 0.1 * (pair[1][k] - pair[0][k])));
         let x: [Curve<Interval>; SHAPE] =
             std::array::from_fn(|k| Curve::variable(Interval::new(a[k].min(b[k]), a[k].max(b[k])), k));
-        problem.terms(&problem.quantities(&x), &problem.levels.mapped(Number::of), None, &mut boxed);
+        problem.terms(&problem.quantities(&x), &problem.levels.mapped(Ring::of), None, &mut boxed);
         for k in 0..SHAPE {
             let at = |value: f64| -> [Jet<f64, SHAPE>; SHAPE] {
                 std::array::from_fn(|i| Jet::variable(if i == k { value } else { a[i] }, i))

@@ -231,7 +231,7 @@ mod tests {
         ] {
             let shape = Shape::of(distribution);
             let stream = Stream::new(7, 3);
-            let draws: Vec<f64> = (0..20_000).flat_map(|k| shape.draw(stream, 8 * k)).collect();
+            let draws: Vec<f64> = (0..20_000).flat_map(|k| shape.draw(stream, 8 * k).0).collect();
             let count = draws.len() as f64;
             let mean = draws.iter().sum::<f64>() / count;
             let found = draws.iter().map(|x| x * x).sum::<f64>() / count;
