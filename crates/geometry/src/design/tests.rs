@@ -1,7 +1,6 @@
 //! The scaled problem against the shape's own integrals, derivatives and enclosures.
 
 use super::curve::{self, Curve};
-use super::number::Number;
 use super::problem::{Kind, Problem, SHAPE};
 use super::task::DesignTask;
 use lanchester_numerics::Interval;
