@@ -111,7 +111,7 @@ fn points_of_the_block_move_with_it() {
 #[test]
 fn parquet_holds_what_csv_holds() {
     let folder = example("simulate-parquet", "in-line-4.toml", same);
-    let run = ["simulate", "engine.toml", "--imposed", "--for", "1 revolutions", "--step", "10 deg"];
+    let run = ["simulate", "engine.toml", "--imposed", "--for", "4 revolutions", "--step", "10 deg"];
     for table in ["trace", "reactions", "orders", "energy"] {
         let csv = output(&folder, 0, &[&run[..], &["--format", "csv", "--table", table]].concat());
         let bytes =

@@ -226,6 +226,14 @@ export type Articulation = {
   top_dead_centre_shift: number;
 };
 
+/** Something that is to happen on the way, in the words of the engine file. */
+export type AskedEvent = {
+  /** `misfire 3`, `fuel 0 %`, `load 120 N m`, `load none`, `clutch open` or `stop`. */
+  what: string;
+  /** A time, an angle, revolutions or a speed that is passed: `3 revolutions`, `speed falls to 900 rpm`. */
+  when: string;
+};
+
 /** An engine at a speed. */
 export type AtSpeed = {
   /** Speed of crankshaft 1 [rad/s]; the highest of the engine where it is left out. */
@@ -3337,6 +3345,10 @@ export type Similar = {
 
 /** A run to be made. What is left out is as the file says, else as `lanchester simulate` has it. */
 export type SimulateQuestion = {
+  /** Crank angle at the start [rad]. */
+  angle: number | null;
+  /** What happens on the way, besides what the file says. */
+  events: AskedEvent[];
   /** Whether the gas of the file acts. */
   gas: boolean | null;
   /** Whether weight acts. */
