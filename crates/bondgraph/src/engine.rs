@@ -23,6 +23,7 @@
 
 mod body;
 mod changes;
+mod changing;
 mod compliant;
 mod cylinder;
 mod gas;
@@ -46,7 +47,7 @@ use crate::description::Description;
 use crate::equations::equations;
 use crate::graph::Graph;
 use body::Frame;
-use changes::Changing;
+use changing::Changing;
 use joint_start::JointStart;
 use lanchester_model::Engine;
 use numbers::Numbers;

@@ -9,6 +9,7 @@
 //! event that could come again has a state that says whether it still waits.
 
 use super::Builder;
+use super::changing::Changing;
 use super::request::LoadTorque;
 use super::words::{number, quantity};
 use crate::curve::Curve;
@@ -21,19 +22,6 @@ const FADES: f64 = 0.01;
 
 /// Share of the duration behind which a stop at the start ends a run.
 const AT_ONCE: f64 = 1e-9;
-
-/// States that events set, by name, with their starts.
-#[derive(Debug, Clone, Default)]
-pub(crate) struct Changing {
-    starts: BTreeMap<String, (f64, &'static str)>,
-}
-
-impl Changing {
-    /// Whether events set a state.
-    pub(crate) fn has(&self, name: &str) -> bool {
-        self.starts.contains_key(name)
-    }
-}
 
 impl Builder<'_> {
     /// Governor and events as states and signals, before what they act on.
@@ -92,7 +80,7 @@ impl Builder<'_> {
             let graph = std::mem::take(&mut self.graph);
             self.graph = if stops { graph.stop(&when) } else { graph.event(&when, &new) };
         }
-        self.changing = Changing { starts };
+        self.changing = Changing::of(starts.into_keys());
         for index in 0..self.engine.cylinders.len() {
             let factors = self.factors(index);
             if !factors.is_empty() && self.has_gas() {

@@ -1,6 +1,7 @@
 //! The bond graph at imposed speed, its gas as states, held against the computed cycle.
 
 use crate::crosscheck::pair::{CrossCheckError, Pair};
+use crate::pressure::cylinders::cylinder_gas;
 use lanchester_bondgraph::{
     EngineDrive, EngineRequest, GasStates, Graph, Simulation as GraphRun, SimulationRequest, engine_graph,
     equations,
@@ -36,7 +37,13 @@ fn imposed(
 
 /// The pressures of a single-zone cycle, where the file has one that the graph takes.
 pub(crate) fn gas_row(pair: &Pair<'_>) -> Result<Option<CrossRow>, CrossCheckError> {
-    let (Some(gas), Ok(states)) = (pair.gas, GasStates::of(pair.engine)) else { return Ok(None) };
+    let (Some(gas), Ok(mut states)) = (pair.gas, GasStates::of(pair.engine)) else { return Ok(None) };
+    // A body that takes heat starts with the temperature that the cycle has; a computed one needs no traces.
+    if let Some(walls) = &mut states.walls
+        && let Some(body) = cylinder_gas(pair.engine, &[], pair.speed)?.body_temperature
+    {
+        walls.start = body;
+    }
     let mut request = EngineRequest::free(pair.speed, 1.0);
     request.drive = EngineDrive::Imposed;
     request.gas_states = Some(states);
