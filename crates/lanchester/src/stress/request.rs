@@ -141,7 +141,7 @@ pub enum StressError {
     Films(#[from] BearingFilmsError),
     /// The crank train of this engine is none of plain rods.
     #[error(
-        "cylinder {cylinder} has an articulated rod: a flexible crankshaft over the cycle knows rods on crankpins alone\nhint: `stress static` and `stress fatigue` take articulated rods"
+        "cylinder {cylinder} has an articulated rod: a flexible crankshaft over the cycle knows rods on crankpins alone\nhint: static stress and fatigue take articulated rods"
     )]
     Articulated {
         /// Its number.

@@ -773,7 +773,7 @@ class Engine:
     ) -> CrossCheck:
         """The closed form against a simulation of the same engine as rigid bodies and its bond graph.
 
-        `condition`: ``"a"`` like for like, ``"b"`` free speed, ``"c"`` moving block, ``"d"`` all free; all where it is left out.
+        `condition`: ``"a"`` like for like, ``"b"`` free speed, ``"c"`` moving block, ``"d"`` all free, ``"e"`` crankshaft by finite elements; all but the last where it is left out.
 
         >>> from lanchester import Engine
         >>> check = Engine.template("single").crosscheck(condition="a")

@@ -2188,7 +2188,7 @@ class ConditionCheck(Record):
     _FIELDS = ("condition", "not_applicable", "rows",)
 
     @property
-    def condition(self) -> Literal['like-for-like', 'free-speed', 'moving-block', 'all-free']:
+    def condition(self) -> Literal['like-for-like', 'free-speed', 'moving-block', 'all-free', 'flexible-crank']:
         """Which."""
         return self._get("condition")  # type: ignore[no-any-return]
 
@@ -3165,7 +3165,7 @@ class CrossRow(Record):
 
     @property
     def multibody(self) -> float:
-        """The same of the multibody simulation."""
+        """The same of the multibody simulation; under condition E of the flexible crankshaft."""
         return self._get("multibody")  # type: ignore[no-any-return]
 
     @property

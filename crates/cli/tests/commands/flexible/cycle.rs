@@ -88,7 +88,7 @@ fn what_a_cycle_cannot_have_is_refused() {
     for (rest, wanted) in [
         (&["--instants", "50"][..], "a multiple of 8"),
         (&["--damping", "2"], "--damping needs a share"),
-        (&["--safety", "-1"], "--safety needs a number"),
+        (&["--safety", "0"], "--safety needs a number"),
         (&["--least-film", "1 kg"], "--least-film"),
         (&["--save", "curves.txt"], ".parquet or .csv"),
         (&["--crankshaft", "2"], "crankshaft 2 is needed"),

@@ -125,7 +125,7 @@ pub(crate) fn bearing_places(engine: &Engine, crankshaft: usize) -> Result<Vec<B
             crankshaft: crankshaft + 1,
             needed: "a cylinder or more",
             got: 0,
-            hint: "ask for the crankshaft that has cylinders, with --crankshaft",
+            hint: "ask for the crankshaft that has cylinders",
         });
     }
     Ok(places)
