@@ -346,7 +346,7 @@ def plan(engine: Engine, *, cores: int, core_hour_price: float = 0.0, samples: i
     >>> engine = lanchester.Engine.template("in-line-4")
     >>> found = lanchester.dask.plan(engine, cores=64, minimise="force order 2", throw_angles="every 15 deg")
     >>> found.cases, found.hours > 0
-    (13824, True)
+    (110592, True)
     """
     study = _layouts(engine, rows, options)
     of = study.blocks
