@@ -195,7 +195,7 @@ def show(version: str) -> None:
     import sys
 
     sys.modules["lanchester"] = sys.modules["hidden"]
-    sys.modules["lanchester"].__version__ = version
+    sys.modules["lanchester"].__version__ = version  # type: ignore[attr-defined]
 
 
 def age() -> None:

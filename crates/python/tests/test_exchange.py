@@ -171,8 +171,17 @@ def sheet(path: Path) -> list[list[Any]]:
     with zipfile.ZipFile(path) as book:
         shared = [("".join(own.itertext())) for own in ElementTree.fromstring(book.read("xl/sharedStrings.xml"))]
         rows = ElementTree.fromstring(book.read("xl/worksheets/sheet1.xml")).iter(f"{SHEET}row")
-        value = lambda own: shared[int(own[0].text)] if own.get("t") == "s" else float(own[0].text)  # noqa: E731
-        return [[value(own) for own in row if len(own)] for row in rows]
+        return [cells_of(row, shared) for row in rows]
+
+
+def cells_of(row: ElementTree.Element, shared: list[str]) -> list[Any]:
+    cells: list[Any] = []
+    for own in row:
+        # Empty cells are left out: the letter says where this one stands.
+        cells += [None] * (ord(own.get("r", "A")[0]) - ord("A") - len(cells))
+        text = own[0].text or ""
+        cells.append(shared[int(text)] if own.get("t") == "s" else float(text))
+    return cells
 
 
 def write_sheet(path: Path, rows: list[list[Any]]) -> None:
