@@ -175,7 +175,7 @@ def test_a_restarted_cluster_loses_nothing(client: Any, single: Path, tmp_path: 
     def restart() -> None:
         while len(list(folder.glob("*.parquet"))) < 4:
             time.sleep(0.005)
-        client.restart(timeout=60)
+        client.restart(wait_for_workers=False)
 
     thread = threading.Thread(target=restart)
     thread.start()
