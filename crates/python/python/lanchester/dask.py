@@ -491,7 +491,14 @@ class _Cluster:
     def _end(self, future: Any, stretch: tuple[int, int]) -> None:
         first, end = stretch
         if future.status == "finished":
-            how, worker, found = future.result()
+            import distributed
+
+            try:
+                how, worker, found = future.result()
+            except distributed.CancelledError:
+                # The cluster was restarted before the result came over.
+                self._again(stretch, Refusal(first, end, self.study.blocks, "", f"the cluster has lost it {TRIES} times"))
+                return
             if how == "done":
                 if found is not None:
                     _blocks.put(self.folder, first, end, found)
