@@ -3,22 +3,15 @@
 //! What is written is what `lanchester` writes with `--save` and `--part`, to the last byte ([decision
 //! 17](../../docs/decisions/0017-long-runs-and-their-tables.md)).
 
-use crate::answer::{Answer, Data};
-use crate::cases::{Slice, case_blocks};
+use crate::answer::Data;
 use crate::failure::Failure;
-use crate::guard::{Watch, unlocked, waited_for};
-use crate::native_engine::NativeEngine;
-use crate::options::Options;
-use crate::questions;
-use lanchester::run::{Head, HeadError, Held, Study, numbered, part, stretch};
+use crate::guard::Watch;
+use lanchester::run::{Head, HeadError, Held, Study, numbered, stretch};
 use lanchester::table::{Form, Rows, TableError, TableReader, TableWriter};
 use lanchester_files::{NewFile, Over, open_regular, shown};
-use pyo3::prelude::*;
-use pyo3::types::{PyBytes, PyDict};
 use std::fs::File;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 
 /// Blocks for each thread between two looks whether somebody waits.
 const BLOCKS_PER_THREAD: u64 = 4;
@@ -191,12 +184,20 @@ impl From<HeadError> for Failure {
     }
 }
 
-fn open(path: &Path) -> Result<TableReader<File>, Failure> {
+/// Opens a table, its footer verified.
+///
+/// # Errors
+/// Where it is none, or damaged.
+pub fn open(path: &Path) -> Result<TableReader<File>, Failure> {
     let file = open_regular(path).map_err(|error| cannot_read(path, &error.into()))?;
     TableReader::open(file).map_err(|error| cannot_read(path, &error))
 }
 
-fn held_of(reader: &TableReader<File>, path: &Path) -> Result<Held, Failure> {
+/// What a table holds.
+///
+/// # Errors
+/// Where it does not say so.
+pub fn held_of(reader: &TableReader<File>, path: &Path) -> Result<Held, Failure> {
     Held::of(reader).ok_or_else(|| {
         Failure::option(
             format_args!("{} does not say what it holds: lanchester has not written it", shown(path)),
@@ -205,7 +206,8 @@ fn held_of(reader: &TableReader<File>, path: &Path) -> Result<Held, Failure> {
     })
 }
 
-fn cannot_read(path: &Path, error: &TableError) -> Failure {
+/// Why a table cannot be read.
+pub fn cannot_read(path: &Path, error: &TableError) -> Failure {
     Failure::option(
         format_args!("cannot read {}: {error}", shown(path)),
         "remove it: the same study computes its blocks again, and no others",
@@ -217,138 +219,4 @@ fn cannot_write(path: &Path, error: &dyn std::fmt::Display) -> Failure {
         format_args!("cannot write {}: {error}", shown(path)),
         "choose another name; what is done stays as it is",
     )
-}
-
-/// A study in blocks as Python holds it.
-#[pyclass(frozen, name = "Study", module = "lanchester._native")]
-pub struct NativeStudy {
-    blocks: Arc<dyn Blocks>,
-    texts: Vec<String>,
-}
-
-#[pymethods]
-impl NativeStudy {
-    /// Number of blocks.
-    #[getter]
-    fn blocks(&self) -> u64 {
-        self.blocks.blocks()
-    }
-
-    /// Number of cases.
-    #[getter]
-    fn cases(&self) -> u128 {
-        self.blocks.cases()
-    }
-
-    /// What all tables of the study have alike: study, version, request, engine.
-    fn head<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        head_of(py, self.blocks.head())
-    }
-
-    /// Of a study of engines that differ in keys: the keys whose column is of texts.
-    #[getter]
-    fn texts(&self) -> Vec<String> {
-        self.texts.clone()
-    }
-
-    /// The blocks of part `number` (from 1) of `parts`.
-    fn part(&self, number: u64, parts: u64) -> Option<(u64, u64)> {
-        part(self.blocks.blocks(), number, parts).map(|blocks| (blocks.start, blocks.end))
-    }
-
-    /// The table of a stretch of blocks as Parquet.
-    fn table<'py>(&self, py: Python<'py>, first: u64, end: u64) -> PyResult<Bound<'py, PyBytes>> {
-        let of = self.blocks.blocks();
-        if first >= end || end > of {
-            let message = format!("blocks {first} to {end} are none of the {of} blocks of the study");
-            return Err(Failure::option(message, "they are counted from 0, the end excluded").into());
-        }
-        let blocks = self.blocks.clone();
-        let bytes = waited_for(py, move |watch| blocks.table(first..end, None, watch))?;
-        Ok(PyBytes::new(py, &bytes))
-    }
-
-    /// The table of all these engines as blocks `first` to `end` of the study of `of` blocks that `head` tells of.
-    fn slice<'py>(
-        &self,
-        py: Python<'py>,
-        head: &Bound<'py, PyDict>,
-        first: u64,
-        end: u64,
-        of: u64,
-    ) -> PyResult<Bound<'py, PyBytes>> {
-        let own = self.blocks.blocks();
-        if first.checked_add(own) != Some(end) || end > of {
-            let message = format!("{own} blocks of engines are not blocks {first} to {end} of {of}");
-            return Err(Failure::option(message, "give the engines of these blocks").into());
-        }
-        let text = |key: &str| -> PyResult<String> {
-            head.get_item(key)?.ok_or_else(|| Failure::Internal(format!("a head without {key}")))?.extract()
-        };
-        let head = Head {
-            study: text("study")?,
-            version: text("version")?,
-            request: text("request")?,
-            engine: text("engine")?,
-        };
-        let blocks = self.blocks.clone();
-        let told = Some((head, first..end, of));
-        let bytes = waited_for(py, move |watch| blocks.table(0..own, told, watch))?;
-        Ok(PyBytes::new(py, &bytes))
-    }
-
-    /// The answer of the study from the tables of all its blocks; with `whole` these become one table there.
-    #[pyo3(signature = (tables, whole=None))]
-    fn join(&self, py: Python<'_>, tables: Vec<PathBuf>, whole: Option<PathBuf>) -> PyResult<Option<Answer>> {
-        let blocks = self.blocks.clone();
-        let found = waited_for(py, move |_| blocks.join(&tables, whole.as_deref()))?;
-        Ok(found.map(Answer::from))
-    }
-}
-
-/// A study in blocks: of layouts (`explore`), of production (`scatter`), or any other question about many engines, of which `pick` names the
-/// numbers that are kept; `start` and `texts` where they are a slice of the engines of a study.
-#[pyfunction]
-#[pyo3(signature = (name, engines, options, columns=None, pick=None, start=0, texts=None))]
-pub fn study(
-    name: &str,
-    engines: Vec<PyRef<'_, NativeEngine>>,
-    options: Bound<'_, PyDict>,
-    columns: Option<Bound<'_, PyDict>>,
-    pick: Option<Vec<String>>,
-    start: usize,
-    texts: Option<Vec<String>>,
-) -> PyResult<NativeStudy> {
-    let found = match (&pick, engines.as_slice()) {
-        (None, [engine]) => questions::blocks(name, &Options::new(options.clone()), &engine.prepared)?,
-        _ => None,
-    };
-    let (found, texts) = match found {
-        Some(found) => (found, Vec::new()),
-        None => {
-            let slice = Slice { start, texts };
-            case_blocks(name, &engines, &options, columns, pick.unwrap_or_default(), slice)?
-        }
-    };
-    Ok(NativeStudy { blocks: found.into(), texts })
-}
-
-/// What a table of a study holds, every byte of it verified: study, version, request, engine, first block, end, blocks of the study.
-#[pyfunction]
-pub fn held(py: Python<'_>, path: PathBuf) -> PyResult<(Bound<'_, PyDict>, u64, u64, u64)> {
-    let held = unlocked(py, || {
-        let reader = open(&path)?;
-        reader.verify().map_err(|error| cannot_read(&path, &error))?;
-        held_of(&reader, &path)
-    })?;
-    Ok((head_of(py, &held.head)?, held.blocks.start, held.blocks.end, held.of))
-}
-
-fn head_of<'py>(py: Python<'py>, head: &Head) -> PyResult<Bound<'py, PyDict>> {
-    let found = PyDict::new(py);
-    found.set_item("study", &head.study)?;
-    found.set_item("version", &head.version)?;
-    found.set_item("request", &head.request)?;
-    found.set_item("engine", &head.engine)?;
-    Ok(found)
 }

@@ -16,6 +16,7 @@ mod from_python;
 mod guard;
 mod map;
 mod native_engine;
+mod native_study;
 mod options;
 mod prepared;
 mod question;
@@ -39,15 +40,15 @@ mod _native {
     #[pymodule_export]
     use super::asking::schemas;
     #[pymodule_export]
-    use super::blocks::NativeStudy;
-    #[pymodule_export]
-    use super::blocks::held;
-    #[pymodule_export]
-    use super::blocks::study;
-    #[pymodule_export]
     use super::map::map;
     #[pymodule_export]
     use super::native_engine::NativeEngine;
+    #[pymodule_export]
+    use super::native_study::NativeStudy;
+    #[pymodule_export]
+    use super::native_study::held;
+    #[pymodule_export]
+    use super::native_study::study;
 
     /// The version of the package.
     #[pymodule_export]

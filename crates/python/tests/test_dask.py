@@ -175,7 +175,7 @@ def test_a_restarted_cluster_loses_nothing(client: Any, single: Path, tmp_path: 
     def restart() -> None:
         while len(list(folder.glob("*.parquet"))) < 4:
             time.sleep(0.005)
-        client.restart(timeout=60)
+        client.restart(wait_for_workers=False)
 
     thread = threading.Thread(target=restart)
     thread.start()
@@ -187,7 +187,15 @@ def test_a_restarted_cluster_loses_nothing(client: Any, single: Path, tmp_path: 
 def hide() -> None:
     import sys
 
+    sys.modules["hidden"] = sys.modules["lanchester"]
     sys.modules["lanchester"] = None  # type: ignore[assignment]
+
+
+def show(version: str) -> None:
+    import sys
+
+    sys.modules["lanchester"] = sys.modules["hidden"]
+    sys.modules["lanchester"].__version__ = version  # type: ignore[attr-defined]
 
 
 def age() -> None:
@@ -211,7 +219,7 @@ def test_unfit_workers_are_named_with_their_block(client: Any, single: Path, tmp
     with pytest.raises(BlockError, match="stretches of blocks were not computed: block") as caught:
         sweep(tmp_path / "again", client)
     assert sum(own.end - own.first for own in caught.value.refusals) >= 22
-    client.restart(timeout=60)
+    client.run(show, lanchester.__version__)
 
 
 def test_what_cannot_be_computed_names_block_and_engine(client: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import ast
 import json
 import os
 import subprocess
+import zipfile
 from pathlib import Path
 from typing import Any
+from xml.etree import ElementTree
 
 import numpy as np
 import pytest
@@ -125,7 +128,7 @@ def test_histories_are_the_same_as_csv_and_parquet(tmp_path: Path) -> None:
     for ending in ("csv", "parquet"):
         program("export", "history", MOUNTED, "--speed", "3000 rpm", "--samples", 90, "--output", tmp_path / f"four.{ending}")
     table, other = pd.read_parquet(tmp_path / "four.parquet"), pd.read_csv(tmp_path / "four.csv")
-    pd.testing.assert_frame_equal(table, other, rtol=1e-15)
+    pd.testing.assert_frame_equal(table, other.astype(float), rtol=1e-15)
     engine = Engine.read(MOUNTED)
     bearings, loads = engine.bearings("3000 rpm", samples=90), engine.loads("3000 rpm", samples=90)
     assert len(table) == len(bearings.theta)
@@ -148,9 +151,65 @@ def test_cases_are_read_and_written_as_csv_and_workbooks(tmp_path: Path) -> None
     assert [row["row"] for row in rows] == [2, 3] and rows[1]["piston.mass"] is None
     # What is written as a workbook is read as one.
     program("loads", four, "--cases", tmp_path / "cases.csv", "--output", tmp_path / "loads.xlsx")
+    heads, *cells = sheet(tmp_path / "loads.xlsx")
+    assert sorted(heads) == sorted(rows[0]) and heads[:5] == ["row", "rod.length [mm]", "piston.mass", "name", "speed [rpm]"]
+    for found, row in zip(cells, rows, strict=True):
+        assert found[0] == row["row"] and found[heads.index("largest force [N]")] == pytest.approx(row["largest force [N]"], rel=1e-14)
+    write_sheet(tmp_path / "cases.xlsx", [["rod.length [mm]", "piston.mass", "name"], [140, "0.30 kg", "short"], [155, None, "long"]])
+    again = json.loads(program("loads", four, "--cases", tmp_path / "cases.xlsx", "--format", "json"))
+    assert [row["largest force [N]"] for row in again] == [row["largest force [N]"] for row in rows]
     done = subprocess.run([str(PROGRAM), "loads", str(four), "--cases", str(tmp_path / "loads.xlsx")], capture_output=True, text=True, check=False)
-    assert done.returncode == 2 and "column G (largest force [N])" in done.stderr and "is no key" in done.stderr.replace("`", ""), done.stderr
+    assert done.returncode == 2
     assert "row 1, column F: `largest force [N]` is no key of an engine file" in done.stderr
+
+
+SHEET = "{http://schemas.openxmlformats.org/spreadsheetml/2006/main}"
+
+
+def sheet(path: Path) -> list[list[Any]]:
+    """The cells of the first sheet, read without anything of ours."""
+    with zipfile.ZipFile(path) as book:
+        shared = [("".join(own.itertext())) for own in ElementTree.fromstring(book.read("xl/sharedStrings.xml"))]
+        rows = ElementTree.fromstring(book.read("xl/worksheets/sheet1.xml")).iter(f"{SHEET}row")
+        return [cells_of(row, shared) for row in rows]
+
+
+def cells_of(row: ElementTree.Element, shared: list[str]) -> list[Any]:
+    cells: list[Any] = []
+    for own in row:
+        # Empty cells are left out: the letter says where this one stands.
+        cells += [None] * (ord(own.get("r", "A")[0]) - ord("A") - len(cells))
+        text = own[0].text or ""
+        cells.append(shared[int(text)] if own.get("t") == "s" else float(text))
+    return cells
+
+
+def write_sheet(path: Path, rows: list[list[Any]]) -> None:
+    """A workbook of the smallest kind that spreadsheets write."""
+    main, office = SHEET[1:-1], "http://schemas.openxmlformats.org/officeDocument/2006/relationships"
+    package = "http://schemas.openxmlformats.org/package/2006"
+    body = ""
+    for number, row in enumerate(rows, 1):
+        cells = ""
+        for letter, cell in zip("ABCDEFG", row, strict=False):
+            if isinstance(cell, str):
+                cells += f'<c r="{letter}{number}" t="inlineStr"><is><t>{cell}</t></is></c>'
+            elif cell is not None:
+                cells += f'<c r="{letter}{number}"><v>{cell}</v></c>'
+        body += f'<row r="{number}">{cells}</row>'
+    kind = "application/vnd.openxmlformats-officedocument.spreadsheetml"
+    parts = {
+        "[Content_Types].xml": f'<Types xmlns="{package}/content-types"><Default Extension="rels" ContentType="application/vnd.openxmlformats-package.relationships+xml"/>'
+        f'<Override PartName="/xl/workbook.xml" ContentType="{kind}.sheet.main+xml"/>'
+        f'<Override PartName="/xl/worksheets/sheet1.xml" ContentType="{kind}.worksheet+xml"/></Types>',
+        "_rels/.rels": f'<Relationships xmlns="{package}/relationships"><Relationship Id="a" Type="{office}/officeDocument" Target="xl/workbook.xml"/></Relationships>',
+        "xl/workbook.xml": f'<workbook xmlns="{main}" xmlns:r="{office}"><sheets><sheet name="cases" sheetId="1" r:id="a"/></sheets></workbook>',
+        "xl/_rels/workbook.xml.rels": f'<Relationships xmlns="{package}/relationships"><Relationship Id="a" Type="{office}/worksheet" Target="worksheets/sheet1.xml"/></Relationships>',
+        "xl/worksheets/sheet1.xml": f'<worksheet xmlns="{main}"><sheetData>{body}</sheetData></worksheet>',
+    }
+    with zipfile.ZipFile(path, "w") as book:
+        for name, text in parts.items():
+            book.writestr(name, f'<?xml version="1.0" encoding="UTF-8"?>{text}')
 
 
 def test_every_bad_cell_is_told_with_row_and_column(tmp_path: Path) -> None:
@@ -166,3 +225,18 @@ def test_every_bad_cell_is_told_with_row_and_column(tmp_path: Path) -> None:
         "hint: no case was computed",
     ]:
         assert words in done.stderr, f"{words} is not in {done.stderr}"
+
+
+@pytest.mark.parametrize("name", ["in-line-3", "in-line-4", "v6-60"])
+def test_ext_exudyn_loads(name: str) -> None:
+    """What Exudyn made of the script when it was run (`validation/external/exudyn`), against ours of today."""
+    kept = json.loads((ROOT / "validation" / "external" / "exudyn" / f"{name}.json").read_text())
+    script = program("export", "exudyn", ROOT / "examples" / f"{name}.toml")
+    [line] = [line for line in script.splitlines() if line.startswith("TRAIN = ")]
+    train = json.loads(ast.literal_eval(line.removeprefix("TRAIN = json.loads(").removesuffix(")")))
+    assert kept["speed"] == train["speed"]
+    ours, theirs = np.array(train["reference"]["loads"]), np.array(kept["loads"])
+    arm = max(abs(own["z"]) for own in train["cylinders"])
+    force = np.abs(ours[:, :2]).max()
+    assert np.abs(ours[:, :2] - theirs[:, :2]).max() < 1e-6 * force
+    assert np.abs(ours[:, 2:] - theirs[:, 2:]).max() < 1e-6 * max(np.abs(ours[:, 2:]).max(), force * arm)

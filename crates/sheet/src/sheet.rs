@@ -61,7 +61,12 @@ pub fn read_csv(text: &str) -> Result<Vec<Row>, SheetError> {
             row: error.position().map_or(0, csv::Position::line),
             reason: error.to_string(),
         })?;
-        let number = record.position().map_or(0, csv::Position::line) as usize;
+        // The reader says where it began to look: empty lines stand between there and the record.
+        let number = record.position().map_or(0, |position| {
+            let rest = text.as_bytes().get(position.byte() as usize..).unwrap_or_default();
+            let empty = rest.iter().take_while(|byte| matches!(byte, b'\n' | b'\r'));
+            position.line() as usize + empty.filter(|byte| **byte == b'\n').count()
+        });
         let cells: Vec<Cell> = record.iter().map(text_cell).collect();
         if cells.iter().any(|cell| *cell != Cell::Empty) {
             rows.push(Row { number, cells });

@@ -346,7 +346,7 @@ def plan(engine: Engine, *, cores: int, core_hour_price: float = 0.0, samples: i
     >>> engine = lanchester.Engine.template("in-line-4")
     >>> found = lanchester.dask.plan(engine, cores=64, minimise="force order 2", throw_angles="every 15 deg")
     >>> found.cases, found.hours > 0
-    (13824, True)
+    (110592, True)
     """
     study = _layouts(engine, rows, options)
     of = study.blocks
@@ -491,7 +491,14 @@ class _Cluster:
     def _end(self, future: Any, stretch: tuple[int, int]) -> None:
         first, end = stretch
         if future.status == "finished":
-            how, worker, found = future.result()
+            import distributed
+
+            try:
+                how, worker, found = future.result()
+            except distributed.CancelledError:
+                # The cluster was restarted before the result came over.
+                self._again(stretch, Refusal(first, end, self.study.blocks, "", f"the cluster has lost it {TRIES} times"))
+                return
             if how == "done":
                 if found is not None:
                     _blocks.put(self.folder, first, end, found)
