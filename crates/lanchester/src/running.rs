@@ -5,7 +5,7 @@ use crate::crosscheck::{CrossCheckRequest, crosscheck};
 use crate::graph_report::{bond_graph_report, has_graph};
 use crate::mounted::{MountSpeeds, mounts};
 use crate::pressure::measured::TraceFile;
-use crate::run_plan::SimulateRequest;
+use crate::simulation::plan::SimulateRequest;
 use crate::simulation::simulate;
 use crate::stress::rule::{RuleRequest, crank_rule, has_rule};
 use crate::torque_report::{

@@ -1,10 +1,13 @@
 //! A run of the multibody simulation with the gas, friction and block of an engine file.
 
+pub(crate) mod crank_bodies;
+pub(crate) mod plan;
+
 use crate::crosscheck::pair::CrossCheckError;
 use crate::inertias::rotor_inertia;
 use crate::pressure::measured::TraceFile;
 use crate::pressure::simulated::{GivenGas, gas_over_speed};
-use crate::run_plan::{RunPlan, SimulateRequest, action_words, plan};
+use crate::simulation::plan::{RunPlan, action_words, plan};
 use lanchester_file::EngineFile;
 use lanchester_mechanism::{GasTrain, Lever, LoadError, TorqueRequest, torque};
 pub use lanchester_model::RunLength;
@@ -15,6 +18,7 @@ use lanchester_multibody::{
 };
 use lanchester_report::{PeriodicResult, PointMotion, SIMULATION_VERSION, SimulationResult};
 use nalgebra::Vector3;
+pub use plan::SimulateRequest;
 use std::f64::consts::PI;
 
 /// Simulates `engine`; `traces` holds the files that [`crate::trace_names`] names.

@@ -127,6 +127,7 @@ pub(crate) struct Scale {
 impl Scale {
     /// Rounding of all masses of an engine.
     pub fn of(engine: &Engine) -> Scale {
+        /// Share of the masses of an engine that counts as rounding.
         const ROUNDING: f64 = 1e-9;
         let force: f64 = (0..engine.throws.len())
             .map(|t| {

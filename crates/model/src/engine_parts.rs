@@ -134,6 +134,7 @@ pub struct SpeedRange {
 impl SpeedRange {
     /// Whether a speed [rad/s] lies in it, to rounding.
     pub fn holds(&self, speed: f64) -> bool {
+        /// Share of a speed that counts as rounding.
         const SAME: f64 = 1e-9;
         speed >= self.lowest * (1.0 - SAME) && speed <= self.highest * (1.0 + SAME)
     }

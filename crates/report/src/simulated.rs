@@ -1,5 +1,6 @@
 //! Runs in time of the multibody rung, and how far the rungs agree.
 
+mod columns;
 pub(crate) mod crosscheck;
 pub(crate) mod figure;
 mod moving;

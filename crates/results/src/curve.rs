@@ -262,7 +262,7 @@ pub struct CurveSamples<'a> {
 impl CurveSamples<'_> {
     /// The value here; then a step further.
     #[inline]
-    pub fn next(&mut self) -> f64 {
+    pub fn advance(&mut self) -> f64 {
         // A knot that is missed by rounding is reached: all cylinders that fire alike see a jump on the same side.
         while self.u >= self.length - ROUNDING {
             self.u -= self.length;

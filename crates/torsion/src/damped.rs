@@ -85,6 +85,7 @@ pub fn damped_modes(chain: &Chain, speed: f64) -> Result<Vec<DampedMode>, Torsio
             got: roots[open].norm(),
         });
     }
+    /// Imaginary part over the size of a root below which the root is real.
     const REAL: f64 = 1e-9;
     let mut found = Vec::new();
     for s in roots {

@@ -16,7 +16,7 @@ impl Comparison {
             return Ok(100.0 * errors.sum::<f64>() / reference.len() as f64);
         }
         let (value, reference) = (value.0.number_of(value.1)?, reference.0.number_of(reference.1)?);
-        // Forces and couples that vanish in both stay as they are: 0 %, as tables print it.
+        /// Forces [N] and couples [N m] below this vanish: where both do, they stay as they are, 0 %, as tables print it.
         const VANISHING: f64 = 1e-6;
         let both_vanish = value.abs() < VANISHING && reference.abs() < VANISHING;
         let increase = if both_vanish { 0.0 } else { 100.0 * (value / reference - 1.0) };

@@ -136,7 +136,7 @@ impl Printed {
 
     /// Whether ours lies within half a unit of the last digit, or is the same word.
     pub fn agrees(&self, ours: &Value) -> bool {
-        // Keeps a tie a tie when its halves are not binary fractions.
+        /// Share of the last digit that keeps a tie a tie when its halves are not binary fractions.
         const TIE: f64 = 1e-9;
         match (self, ours) {
             (Printed::Number { value, last_place, .. }, Value::Number(ours)) => {

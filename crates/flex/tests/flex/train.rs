@@ -138,7 +138,7 @@ fn a_round_bar_twists_between_the_middles_of_its_journals_as_a_bar() {
         let on = |at: &[f64; 3]| {
             (at[0].hypot(at[1]) - RADIUS).abs() < 1e-6 && at[2] > from - 1e-9 && at[2] < to + 1e-9
         };
-        let nodes = crank.mesh.pick(|at| on(&at));
+        let nodes = crank.mesh.pick(|at| on(at));
         crank.mesh.sets.iter_mut().filter(|own| own.name == set).for_each(|own| own.nodes = nodes.clone());
     }
     let end = |set: &str, z: f64| TwistEnd { set: set.to_owned(), z, diameters: [2.0 * RADIUS, 0.004] };

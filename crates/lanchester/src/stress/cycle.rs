@@ -2,64 +2,26 @@
 
 pub(crate) mod free;
 pub(crate) mod laws;
-pub(crate) mod results;
+pub(crate) mod request;
+mod results;
 pub(crate) mod rules;
 pub(crate) mod train;
 
 use crate::pressure::cylinders::{CylinderCycle, cylinder_gas};
 use crate::pressure::measured::TraceFile;
-use crate::stress::request::{StressError, StressMesh, StressStage};
+use crate::stress::request::{StressError, StressStage};
 use crate::stress::run::{check_crankshaft, sheet};
 use free::{free_start, run_law};
-use lanchester_flex::train::{BasisOptions, CycleOptions, CycleState, crank_basis};
+use lanchester_flex::train::{CycleOptions, CycleState, crank_basis};
 use lanchester_mechanism::{BearingPart, BearingRequest, bearing_loads};
 use lanchester_model::Engine;
-use lanchester_report::{CRANK_CYCLE_VERSION, CrankCycle, CrankKind, CycleLaw, CycleRun, CycleSpeed};
+use lanchester_report::{CRANK_CYCLE_VERSION, CrankCycle, CrankKind, CycleLaw, CycleRun};
 use laws::BearingLaws;
+pub use request::CycleRequest;
 use results::cycle_run;
 use rules::main_rules;
 use std::f64::consts::TAU;
 use train::{Composed, bearing_places, gas_force};
-
-/// What to compute.
-#[derive(Debug, Clone, PartialEq)]
-pub struct CycleRequest {
-    /// Which crankshaft, how fine.
-    pub mesh: StressMesh,
-    /// Laws of the bearings, side by side.
-    pub laws: Vec<CycleLaw>,
-    /// Whether every law is run with a rigid crankshaft too.
-    pub rigid_crank: bool,
-    /// Mean speed of crankshaft 1 [rad/s]; `None`: the highest of the engine.
-    pub speed: Option<f64>,
-    /// How the flywheel turns.
-    pub motion: CycleSpeed,
-    /// Whether the gas of the file acts.
-    pub gas: bool,
-    /// Modes and damping of the crankshaft.
-    pub basis: BasisOptions,
-    /// Instants of a revolution, a multiple of 8.
-    pub instants: usize,
-    /// Most cycles before an envelope is told.
-    pub most_cycles: usize,
-}
-
-impl Default for CycleRequest {
-    /// The four laws side by side at the highest speed, constant, every degree.
-    fn default() -> CycleRequest {
-        CycleRequest {
-            mesh: StressMesh::default(),
-            laws: CycleLaw::FOUR.to_vec(),
-            rigid_crank: false,
-            speed: None,
-            motion: CycleSpeed::Constant,
-            gas: true,
-            basis: BasisOptions::default(),
-            instants: 360,
-            most_cycles: CycleOptions::default().most_cycles,
-        }
-    }
-}
 
 /// How far a computation is.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -28,6 +28,9 @@ struct Case {
     revolutions: f64,
 }
 
+/// A quantity of the graph, and the same of a sample of the simulation.
+type Compared = (&'static str, fn(&Run, usize) -> f64);
+
 impl Case {
     fn multibody(&self) -> Run {
         let crankshafts = self.engine.crankshafts.iter().map(|_| Some(0.09)).collect();
@@ -74,7 +77,7 @@ impl Case {
     }
 
     /// Compares the named quantities; gives both runs.
-    fn check(&self, names: &[(&str, fn(&Run, usize) -> f64)]) -> (Run, GraphRun) {
+    fn check(&self, names: &[Compared]) -> (Run, GraphRun) {
         let theirs = self.multibody();
         let time = &theirs.samples.time;
         let ours = self.graph(1.01 * theirs.end[0], &time[1..]);

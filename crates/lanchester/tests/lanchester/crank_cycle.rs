@@ -72,7 +72,7 @@ fn largest(loads: &[[f64; 2]]) -> f64 {
     loads.iter().map(|[x, y]| x.hypot(*y)).fold(0.0, f64::max)
 }
 
-fn run<'a>(found: &'a CrankCycle, law: CycleLaw, crank: CrankKind) -> &'a lanchester::report::CycleRun {
+fn run(found: &CrankCycle, law: CycleLaw, crank: CrankKind) -> &lanchester::report::CycleRun {
     found.runs.iter().find(|run| run.law == law && run.crank == crank).unwrap()
 }
 

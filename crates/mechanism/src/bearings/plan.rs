@@ -184,7 +184,7 @@ impl BearingPlan {
             let start = piston.own_angle(0.0);
             let mut samples = piston.force.samples(start, rate);
             for lane in lanes {
-                lane.0.fill_with(|| samples.next());
+                lane.0.fill_with(|| samples.advance());
             }
         }
     }

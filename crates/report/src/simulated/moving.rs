@@ -1,8 +1,8 @@
 //! Points of the block and gears of a simulated run.
 
 use crate::kit::table::{Cell, Table};
+use crate::simulated::columns::{table, words};
 use crate::simulated::result::SimulationResult;
-use crate::simulated::run::{table, words};
 
 /// Motion of the points of the block that were asked for, where it moves.
 pub(super) fn points_table(result: &SimulationResult) -> Option<Table> {

@@ -2,7 +2,8 @@
 
 use crate::kit::number;
 use crate::kit::paragraph::push_wrapped;
-use crate::kit::table::{Cell, Column, Table};
+use crate::kit::table::{Cell, Table};
+use crate::simulated::columns::{table, words};
 use crate::simulated::moving::{gears_table, points_table};
 use crate::simulated::orders::{joints_table, orders_table};
 use crate::simulated::result::{SimulationResult, occasion_words};
@@ -31,20 +32,6 @@ fn outcome_words(outcome: &RunOutcome) -> String {
             format!("incomplete: {what} behind {} deg; the samples up to there are good", degrees(*theta))
         }
     }
-}
-
-pub(super) fn words(header: &str, unit: &'static str) -> Column {
-    if unit.is_empty() { Column::words(header) } else { Column::numbers(header, unit) }
-}
-
-pub(super) fn table(
-    id: &'static str,
-    title: &str,
-    note: &str,
-    columns: Vec<Column>,
-    rows: Vec<Vec<Cell>>,
-) -> Table {
-    Table { id, title: title.into(), note: note.into(), remark: String::new(), columns, rows }
 }
 
 /// How the run ended, what was chosen for it, and what its audits say: a paragraph each.

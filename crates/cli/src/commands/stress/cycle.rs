@@ -1,6 +1,6 @@
 //! `lanchester stress cycle`: the flexible crankshaft in its bearings.
 
-use super::say;
+use super::said::say;
 use crate::commands::{json, open};
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
 use crate::figures::write_figures;

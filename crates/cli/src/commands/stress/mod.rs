@@ -1,7 +1,9 @@
 //! `lanchester stress`: static stress, natural modes and exports of a crankshaft.
 
 mod cycle;
+mod said;
 
+pub(crate) use self::said::say;
 use crate::commands::{Opened, json, open};
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
 use crate::figures::write_figures;
@@ -22,9 +24,9 @@ use lanchester::report::{
     reduced_csv, reduced_text, rule_csv, rule_text, static_stress_csv, static_stress_text,
 };
 use lanchester::{
-    ModesRequest, StaticRequest, StressStage, case_deck, case_glb, case_stl, case_vtu, converged_modes,
-    converged_stress, crank_fatigue, crank_modes, crank_rule, crank_rule_with_torsion, modes_deck, modes_glb,
-    modes_vtu, reduced_crank, solve_deck, static_stress,
+    ModesRequest, StaticRequest, case_deck, case_glb, case_stl, case_vtu, converged_modes, converged_stress,
+    crank_fatigue, crank_modes, crank_rule, crank_rule_with_torsion, modes_deck, modes_glb, modes_vtu,
+    reduced_crank, solve_deck, static_stress,
 };
 use std::path::Path;
 
@@ -38,24 +40,6 @@ pub fn run(arguments: &StressArguments, colour: bool) -> Result<u8, Failure> {
         StressCommand::Cycle(arguments) => cycle::cycle(arguments, colour),
         StressCommand::Rule(arguments) => rule(arguments, colour),
         StressCommand::Solve(arguments) => solve(arguments),
-    }
-}
-
-/// Says on standard error what will be solved, before it is.
-pub(crate) fn say(stage: StressStage) {
-    match stage {
-        StressStage::Meshed(nodes, elements) => {
-            tell(format_args!("meshed: {nodes} nodes, {elements} elements"))
-        }
-        StressStage::Factoring(estimate) => tell(format_args!(
-            "factoring: {} unknowns, {} entries in the matrix, {} in the factor, {:.2} GiB, {:.1e} operations (some {:.0} s)",
-            estimate.unknowns,
-            estimate.nonzeros,
-            estimate.factor_entries,
-            estimate.bytes as f64 / 1_073_741_824.0,
-            estimate.operations,
-            estimate.seconds().ceil(),
-        )),
     }
 }
 

@@ -1,6 +1,6 @@
 //! One law: at constant speed, or with the speed that gas and inertia make.
 
-use super::CycleRequest;
+use super::request::CycleRequest;
 use crate::inertias::known_inertia;
 use crate::stress::request::StressError;
 use lanchester_flex::train::{

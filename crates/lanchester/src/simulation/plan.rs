@@ -1,6 +1,6 @@
 //! What a run is asked, from the request, the engine file and defaults, in this order.
 
-use crate::crank_bodies::crank_bodies;
+use crate::simulation::crank_bodies::crank_bodies;
 use lanchester_model::{
     Action, BlockKind, Engine, ImposedAgainst, NamedPoint, RodGuidance, RunLength, SimulationInput,
     SpeedKind, StartOfBlock, When,
