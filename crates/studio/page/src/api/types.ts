@@ -1290,6 +1290,18 @@ export type DesignQuestion = {
   weights: string[];
 };
 
+/**
+ * How far the proof of a best shape goes: branch and bound over boxes of shapes.
+ *
+ * A wider gap ends it earlier, more boxes let a search that stopped go on.
+ */
+export type DesignSettings = {
+  /** No shape is better than the one found by more than this share of what is made small: 1e-6 to 0.5. */
+  gap: number;
+  /** Most boxes examined for one optimum, 1 or more; where they do not do, the result says that it is not proved. */
+  max_boxes: number;
+};
+
 /** The best shapes. */
 export type Designed = {
   /** As `lanchester counterweight design --format json` prints it. */
@@ -2000,7 +2012,7 @@ export type Front = {
   objectives: [Objective, Objective];
   /**
    * Whether for every design it is proved that the first objective cannot be less by more than
-   * [`super::PROVED_GAP`] of it, where the second is no larger.
+   * the gap of the settings, where the second is no larger.
    */
   proved: boolean;
   /** [`DESIGN_VERSION`]. */
@@ -3310,6 +3322,8 @@ export type ShapeTask = {
   most_balance: number | null;
   /** Height `h` of the rectangle [m]. */
   rectangle_height: Range;
+  /** How far the proof goes. */
+  settings: DesignSettings;
   /** The flank. */
   shoulder: Shoulder;
   /** Thickness [m]. */
