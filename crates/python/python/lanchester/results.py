@@ -96,6 +96,7 @@ __all__ = [
     "DampedMode",
     "Design",
     "DesignLimits",
+    "DesignSettings",
     "DesignedCounterweight",
     "Deviation",
     "Diagnosis",
@@ -209,6 +210,7 @@ __all__ = [
     "Point",
     "PointFatigue",
     "PointMotion",
+    "PointMotion2",
     "PointWeight",
     "PowerCurve",
     "Price",
@@ -270,6 +272,7 @@ __all__ = [
     "Tie",
     "Tightened",
     "Tolerance",
+    "Tolerances",
     "Torque",
     "TorqueAtSpeed",
     "TorqueHarmonic",
@@ -3733,6 +3736,26 @@ class DesignLimits(Record):
         return self._get("swept_radius")  # type: ignore[no-any-return]
 
 
+class DesignSettings(Record):
+    """How far the proof of a best shape goes: branch and bound over boxes of shapes.
+
+    A wider gap ends it earlier, more boxes let a search that stopped go on.
+    """
+
+    __slots__ = ()
+    _FIELDS = ("gap", "max_boxes",)
+
+    @property
+    def gap(self) -> float:
+        """No shape is better than the one found by more than this share of what is made small: 1e-6 to 0.5."""
+        return self._get("gap")  # type: ignore[no-any-return]
+
+    @property
+    def max_boxes(self) -> int:
+        """Most boxes examined for one optimum, 1 or more; where they do not do, the result says that it is not proved."""
+        return self._get("max_boxes")  # type: ignore[no-any-return]
+
+
 class DesignedCounterweight(Record):
     """A weight and the shape that was found for it."""
 
@@ -5957,7 +5980,7 @@ class Layout(Record):
 class LayoutOrders(Record):
     """First- and second-order loads of a layout; index 0 is order 1, index 1 is order 2.
 
-    As in `lanchester_mechanism::OrderLoads`: force and couple are coefficients of `e^{i n theta}` (index 0, forward) and
+    As in `lanchester_results::OrderLoads`: force and couple are coefficients of `e^{i n theta}` (index 0, forward) and
     `e^{-i n theta}` (index 1, backward); the modulus of roll moment and torque is their amplitude.
     """
 
@@ -7495,6 +7518,28 @@ class PointMotion(Record):
         return self._array("point")  # type: ignore[no-any-return]
 
 
+class PointMotion2(Record):
+    """Motion of a point of the block."""
+
+    __slots__ = ()
+    _FIELDS = ("at", "displacement", "name",)
+
+    @property
+    def at(self) -> FloatArray:
+        """Where it is with the block as drawn [m]."""
+        return self._array("at")  # type: ignore[no-any-return]
+
+    @property
+    def displacement(self) -> FloatArray:
+        """Its displacement from there at every sample [m], axes of the frame; empty with a fixed block."""
+        return self._array("displacement")  # type: ignore[no-any-return]
+
+    @property
+    def name(self) -> str:
+        """Its name."""
+        return self._get("name")  # type: ignore[no-any-return]
+
+
 class PointWeight(Record):
     """A weight of the crankshaft that the file gives by its unbalance alone, such as one of the flywheel. It has no mass here."""
 
@@ -8106,12 +8151,19 @@ class RotorReactions(Record):
     """Loads of one crankshaft or balance shaft."""
 
     __slots__ = ()
-    _FIELDS = ("bearings", "gear_torque", "mains",)
+    _FIELDS = ("bearings", "gear_force", "gear_torque", "mains",)
 
     @property
     def bearings(self) -> Wrench:
         """Shaft on its bearings, about its axis in the plane of the origin; no moment about the axis."""
         return self._of("bearings", Wrench)  # type: ignore[no-any-return]
+
+    @property
+    def gear_force(self) -> FloatArray:
+        """Force of its teeth on it at the pitch point, along the line of action, where the pressure angle is given, else 0 [N]; for crankshaft 1 the sum of all. The
+        bearings carry it.
+        """
+        return self._array("gear_force")  # type: ignore[no-any-return]
 
     @property
     def gear_torque(self) -> float:
@@ -8177,7 +8229,7 @@ class Run2(Record):
     """A run with its samples."""
 
     __slots__ = ()
-    _FIELDS = ("audit", "cost", "end", "energy", "engine", "events", "outcome", "samples", "version",)
+    _FIELDS = ("audit", "cost", "end", "energy", "engine", "events", "outcome", "samples", "tolerances", "version",)
 
     @property
     def audit(self) -> Audit:
@@ -8218,6 +8270,11 @@ class Run2(Record):
     def samples(self) -> Samples:
         """Samples."""
         return self._of("samples", Samples)  # type: ignore[no-any-return]
+
+    @property
+    def tolerances(self) -> Tolerances:
+        """Tolerances of its steps by kind of state."""
+        return self._of("tolerances", Tolerances)  # type: ignore[no-any-return]
 
     @property
     def version(self) -> int:
@@ -8266,7 +8323,7 @@ class Samples(Record):
     """One vector a quantity, one value a sample."""
 
     __slots__ = ()
-    _FIELDS = ("acceleration", "driveline", "driveline_torque", "friction_torque", "gas_torque", "load_torque", "mounts", "orientation", "outside_torque", "position", "reactions", "speed", "spin", "starter_torque", "theta", "time", "velocity",)
+    _FIELDS = ("acceleration", "driveline", "driveline_torque", "friction_torque", "gas_torque", "governor", "load_torque", "mounts", "orientation", "outside_torque", "position", "reactions", "speed", "spin", "starter_torque", "theta", "time", "velocity",)
 
     @property
     def acceleration(self) -> FloatArray:
@@ -8292,6 +8349,11 @@ class Samples(Record):
     def gas_torque(self) -> FloatArray:
         """Torque of the gas on crankshaft 1 [N m]."""
         return self._array("gas_torque")  # type: ignore[no-any-return]
+
+    @property
+    def governor(self) -> FloatArray:
+        """Factor of the governor on the fired part of the gas, from 0 to 1; empty without one."""
+        return self._array("governor")  # type: ignore[no-any-return]
 
     @property
     def load_torque(self) -> FloatArray:
@@ -8617,7 +8679,7 @@ class ShapeTask(Record):
     """Shapes among which a counterweight is to be found. Its duty, the unbalance, is that of the weight."""
 
     __slots__ = ()
-    _FIELDS = ("arc_angle", "arc_radius", "density", "least_balance", "limits", "minimise", "most_balance", "rectangle_height", "shoulder", "thickness", "web_radius",)
+    _FIELDS = ("arc_angle", "arc_radius", "density", "least_balance", "limits", "minimise", "most_balance", "rectangle_height", "settings", "shoulder", "thickness", "web_radius",)
 
     @property
     def arc_angle(self) -> Range:
@@ -8658,6 +8720,11 @@ class ShapeTask(Record):
     def rectangle_height(self) -> Range:
         """Height `h` of the rectangle [m]."""
         return self._of("rectangle_height", Range)  # type: ignore[no-any-return]
+
+    @property
+    def settings(self) -> DesignSettings:
+        """How far the proof goes."""
+        return self._of("settings", DesignSettings)  # type: ignore[no-any-return]
 
     @property
     def shoulder(self) -> dict[str, Any]:
@@ -8718,7 +8785,7 @@ class SimulationResult(Result):
     """A simulated run with what its reader must know."""
 
     __slots__ = ()
-    _FIELDS = ("actions", "engine", "gas", "main_rule", "mains", "mounts", "notes", "periodic", "revolutions", "run", "version",)
+    _FIELDS = ("actions", "engine", "gas", "gears", "main_rule", "mains", "mounts", "notes", "periodic", "points", "revolutions", "run", "version",)
 
     @property
     def actions(self) -> list[str]:
@@ -8734,6 +8801,11 @@ class SimulationResult(Result):
     def gas(self) -> str | None:
         """Where the pressures come from, in words; `None`: no gas."""
         return self._get("gas")  # type: ignore[no-any-return]
+
+    @property
+    def gears(self) -> list[str]:
+        """Names of what turns besides crankshaft 1, in the order of the rotors of the reactions."""
+        return self._list("gears")  # type: ignore[no-any-return]
 
     @property
     def main_rule(self) -> Literal['cut', 'springs', 'beam']:
@@ -8759,6 +8831,11 @@ class SimulationResult(Result):
     def periodic(self) -> PeriodicResult | None:
         """How the search for a periodic motion ended, where one was asked for."""
         return self._of("periodic", PeriodicResult)  # type: ignore[no-any-return]
+
+    @property
+    def points(self) -> Records[PointMotion2]:
+        """Motion of the points of the block that were asked for."""
+        return self._all("points", PointMotion2)
 
     @property
     def revolutions(self) -> int:
@@ -9727,6 +9804,55 @@ class Tolerance(Record):
     def quantity(self) -> Literal['piston-mass', 'big-end-mass', 'small-end-mass', 'rod-centre', 'rod-length', 'crank-radius', 'throw-angle', 'throw-unbalance', 'offset', 'cylinder-plane', 'cylinder-angle', 'counterweight-unbalance', 'counterweight-angle', 'shaft-unbalance', 'shaft-phase']:
         """What varies."""
         return self._get("quantity")  # type: ignore[no-any-return]
+
+
+class Tolerances(Record):
+    """Tolerances of a run's steps. The error of each component is measured against its absolute tolerance and `relative` times its size; the root
+    mean square of all stays below a half of 1 over the root of their number, so that no component has more error than its tolerance.
+    """
+
+    __slots__ = ()
+    _FIELDS = ("angle", "displacement", "energy", "relative", "speed", "spin", "turn", "velocity",)
+
+    @property
+    def angle(self) -> float:
+        """Of the angles of crank and driveline [rad]."""
+        return self._get("angle")  # type: ignore[no-any-return]
+
+    @property
+    def displacement(self) -> float:
+        """Of the place of the block and of the dashpots of its mounts [m]."""
+        return self._get("displacement")  # type: ignore[no-any-return]
+
+    @property
+    def energy(self) -> float:
+        """Of works [J]."""
+        return self._get("energy")  # type: ignore[no-any-return]
+
+    @property
+    def relative(self) -> float:
+        """Relative, of every component."""
+        return self._get("relative")  # type: ignore[no-any-return]
+
+    @property
+    def speed(self) -> float:
+        """Of their speeds [rad/s]."""
+        return self._get("speed")  # type: ignore[no-any-return]
+
+    @property
+    def spin(self) -> float:
+        """Of its angular velocity [rad/s]."""
+        return self._get("spin")  # type: ignore[no-any-return]
+
+    @property
+    def turn(self) -> float:
+        """Of the turn of the block [rad]."""
+        return self._get("turn")  # type: ignore[no-any-return]
+
+    @property
+    def velocity(self) -> float:
+        """Of its velocity [m/s]."""
+        return self._get("velocity")  # type: ignore[no-any-return]
 
 
 class Torque(Record):
