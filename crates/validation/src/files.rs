@@ -240,7 +240,9 @@ mod tests {
     #[test]
     fn files_can_be_read_and_explain_what_is_no_match() {
         for source in sources() {
-            assert!(!source.tables.is_empty() && !source.engines.is_empty(), "{}", source.key);
+            // Mechanisms that are no engines stand alone.
+            let has_engines = source.key == "mechanisms" || !source.engines.is_empty();
+            assert!(!source.tables.is_empty() && has_engines, "{}", source.key);
             for table in &source.tables {
                 for row in &table.rows {
                     let cells = row.printed.cells();

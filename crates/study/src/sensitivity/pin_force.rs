@@ -84,8 +84,9 @@ impl Train<'_> {
             let motion = &motions[master];
             let thrust = motion.thrust_by(motions[index].big_end.map(|along| along.re), on_knuckle);
             let by_wall = times(motion.across(), thrust);
-            forces[index].on_crank = plus(on_knuckle, by_wall);
+            // The thrust passes from the wall through the master's piston pin to the crankpin in the master's plane.
             let own = &mut forces[master];
+            own.on_crank = plus(own.on_crank, by_wall);
             own.thrust += thrust;
             own.piston_pin = plus(own.piston_pin, times(by_wall, Dual64::new(-1.0, 0.0)));
             own.lower_pin = plus(own.lower_pin, plus(on_knuckle, by_wall));
