@@ -39,7 +39,7 @@ tasks of the workspace
   cargo xtask tidy                              rules of the house: crate arrows, pages, links, file length, ...;
                                                 --sources for those that need nothing built
   cargo xtask generate                          write the generated pages of the book anew; --release with the program of CI
-  cargo xtask documents                         run what the README's and the book's pages show and quote
+  cargo xtask documents [--release]             run what the README's and the book's pages show and quote
   cargo xtask page                              build the studio's page into the repository
   cargo xtask python [--dev] [--write]          the Python package: wheel, types, tests, doctests, notebooks, in an environment below the target
                                                 folder; --dev without optimisation, --write writes its generated types
@@ -83,8 +83,9 @@ fn task(arguments: &[String]) -> Result<()> {
         }
         Some("generate") if rest.is_empty() => generate::write(Profile::Dev),
         Some("generate") if rest == ["--release"] => generate::write(Profile::Release),
-        Some("documents") if rest.is_empty() => {
-            let program = workspace::program(Profile::Dev)?;
+        Some("documents") if rest.is_empty() || rest == ["--release"] => {
+            let profile = if rest.is_empty() { Profile::Dev } else { Profile::Release };
+            let program = workspace::program(profile)?;
             println!("{}\n{}", documents::engines(&program)?, claims::check(&program)?);
             Ok(())
         }
