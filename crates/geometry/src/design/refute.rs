@@ -85,11 +85,11 @@ impl Refuter {
         let mut stack = vec![Cell { low: problem.low, high: problem.high, bends: Rc::default(), age: FRESH }];
         let (mut boxes, mut searched, mut left) = (0usize, 1, false);
         while let Some(mut cell) = stack.pop() {
-            boxes += 1;
-            if boxes > most_boxes {
+            if boxes == most_boxes {
                 left = true;
                 break;
             }
+            boxes += 1;
             let target = best.map(|best| best.level * (1.0 - sense(kind) * gap));
             if cell.age >= FRESH || cell.bends.is_empty() {
                 cell.bends = Rc::new(self.bends(problem, kind, target, &cell));
