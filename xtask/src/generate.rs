@@ -147,32 +147,25 @@ const fn graph_run(file: &'static str, arguments: &'static [&'static str], figur
     Written { file, head: "", input: None, arguments, figure: Some(figure) }
 }
 
-const RUN_UP: [&str; 11] = [
-    "bondgraph",
-    "simulate",
-    "examples/three-cylinder.toml",
-    "--block",
-    "fixed",
-    "--speed",
-    "1000 rpm",
-    "--for",
-    "5 s",
-    "--samples",
-    "24000",
-];
-const RUN_UP_FOUR: [&str; 11] = [
-    "bondgraph",
-    "simulate",
-    "validation/three-four-cylinder-thesis/four-cylinder-simulated.toml",
-    "--block",
-    "fixed",
-    "--speed",
-    "1000 rpm",
-    "--for",
-    "5 s",
-    "--samples",
-    "24000",
-];
+const RUN_UP: [&str; 11] = run_up("examples/three-cylinder.toml");
+const RUN_UP_FOUR: [&str; 11] = run_up("validation/three-four-cylinder-thesis/four-cylinder-simulated.toml");
+
+/// An engine with its block fixed, from 1000 rpm on.
+const fn run_up(engine: &'static str) -> [&'static str; 11] {
+    [
+        "bondgraph",
+        "simulate",
+        engine,
+        "--block",
+        "fixed",
+        "--speed",
+        "1000 rpm",
+        "--for",
+        "5 s",
+        "--samples",
+        "24000",
+    ]
+}
 const TILT: [&str; 14] = [
     "bondgraph",
     "simulate",

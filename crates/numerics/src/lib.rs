@@ -54,7 +54,7 @@ pub use interval::Interval;
 pub use jet::{Jet, Ring};
 pub use lanes::{ComplexLanes, LANES, Lanes};
 pub use outcome::{Outcome, Statistics};
-pub use quadrature::{GAUSS_2, GAUSS_4, GAUSS_8, GAUSS_16, GaussPair, gauss, unit_points};
+pub use quadrature::{GAUSS_4, GAUSS_8, GAUSS_16, GaussPair, gauss, unit_points};
 pub use radau::Radau5;
 pub use root::{Root, bisect, illinois, last_holding};
 pub use settings::{SampleGrid, Settings};

@@ -75,16 +75,6 @@ pub struct OrderLoads {
 }
 
 impl Trace {
-    /// Number of angles.
-    pub fn len(&self) -> usize {
-        self.theta.len()
-    }
-
-    /// Whether it has no angle.
-    pub fn is_empty(&self) -> bool {
-        self.theta.is_empty()
-    }
-
     /// One order of it; the angles are equal steps over `period` [rad], in which the order has whole cycles.
     pub fn order(&self, order: f64, period: f64) -> OrderLoads {
         let (start, revolutions) = (self.theta.first().copied().unwrap_or(0.0), period / TAU);

@@ -13,6 +13,19 @@ pub fn folder(test: &str) -> PathBuf {
     folder
 }
 
+/// A folder with one example as `engine.toml`, changed.
+pub fn changed_example(test: &str, name: &str, change: impl Fn(String) -> String) -> PathBuf {
+    let folder = folder(test);
+    let text = fs::read_to_string(examples().join(name)).unwrap();
+    fs::write(folder.join("engine.toml"), change(text)).unwrap();
+    folder
+}
+
+/// The change that is none.
+pub fn same(text: String) -> String {
+    text
+}
+
 pub fn examples() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples")
 }

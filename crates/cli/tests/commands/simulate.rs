@@ -1,24 +1,12 @@
 //! `simulate` and `crosscheck`: text, JSON, CSV, refusals, Ctrl-C.
 
-use crate::program::{examples, folder, message, number, output, output_json};
+use crate::program::{changed_example, message, number, output, output_json, same};
 use std::fs;
 use std::path::PathBuf;
 use std::process::{Command, Stdio};
 use std::time::Duration;
 
 const SET: &str = "generator-set-3.toml";
-
-/// A folder with one example, changed.
-fn example(test: &str, name: &str, change: impl Fn(String) -> String) -> PathBuf {
-    let folder = folder(test);
-    let text = fs::read_to_string(examples().join(name)).unwrap();
-    fs::write(folder.join("engine.toml"), change(text)).unwrap();
-    folder
-}
-
-fn same(text: String) -> String {
-    text
-}
 
 /// One value of a CSV file: column by the start of its name, row from 0.
 fn cell(csv: &str, column: &str, row: usize) -> f64 {
@@ -28,7 +16,7 @@ fn cell(csv: &str, column: &str, row: usize) -> f64 {
 
 #[test]
 fn a_start_of_the_generator_set_is_told() {
-    let folder = example("simulate-start", SET, same);
+    let folder = changed_example("simulate-start", SET, same);
     let text = output(&folder, 0, &["simulate", "engine.toml", "--for", "1.2 s", "--figures", "figures"]);
     for figure in ["speed", "torque", "orbit", "mount-forces", "energy"] {
         let svg = fs::read_to_string(folder.join(format!("figures/simulated-{figure}.svg"))).unwrap();
@@ -53,8 +41,9 @@ fn a_start_of_the_generator_set_is_told() {
 /// A file that describes a run has it in its report, with its own start and events.
 #[test]
 fn the_report_has_the_run_of_the_file() {
-    let folder =
-        example("simulate-report", SET, |text| text.replace("duration = \"24 s\"", "duration = \"1 s\""));
+    let folder = changed_example("simulate-report", SET, |text| {
+        text.replace("duration = \"24 s\"", "duration = \"1 s\"")
+    });
     let page = output(&folder, 0, &["report", "engine.toml", "--output", "-"]);
     for words in
         ["<h2>Simulated</h2>", "It ends after 1.0000 s", "the starter lets go", "Where the energy goes"]
@@ -65,7 +54,7 @@ fn the_report_has_the_run_of_the_file() {
 
 #[test]
 fn csv_and_json_hold_the_same_run() {
-    let folder = example("simulate-csv", "in-line-4.toml", same);
+    let folder = changed_example("simulate-csv", "in-line-4.toml", same);
     let rest = ["--imposed", "--speed", "2000 rpm", "--for", "1 revolution", "--step", "10 deg"];
     let of = |format: &[&'static str]| [&["simulate", "engine.toml"], &rest[..], format].concat();
     let json = output_json(&folder, 0, &of(&["--format", "json"]));
@@ -85,7 +74,7 @@ fn csv_and_json_hold_the_same_run() {
 
 #[test]
 fn every_misfire_and_cut_of_the_file_comes() {
-    let folder = example("simulate-events", SET, |text| {
+    let folder = changed_example("simulate-events", SET, |text| {
         let text = text.replace("speed = \"0 rpm\"", "speed = \"1500 rpm\"");
         text.replace("\"4 s\"", "\"0.1 s\"").replace("\"6 s\"", "\"0.2 s\"").replace("\"8 s\"", "\"0.3 s\"")
     });
@@ -115,7 +104,7 @@ fn every_misfire_and_cut_of_the_file_comes() {
 fn bad_input_is_told() {
     let refused =
         |name: &str, file: &str, change: fn(String) -> String, arguments: &[&str], words: &[&str]| {
-            let folder = example(name, file, change);
+            let folder = changed_example(name, file, change);
             let told = message(&folder, 2, &[&["simulate", "engine.toml"], arguments].concat());
             for words in words {
                 assert!(told.contains(words), "{name}, {words}: {told}");
@@ -161,17 +150,17 @@ fn bad_input_is_told() {
 /// Loss factors have no meaning in time of their own: the run says by what they are replaced, and how well.
 #[test]
 fn loss_factors_are_fitted_and_the_run_says_how_well() {
-    let folder = example("simulate-loss", "in-line-4-mounts.toml", same);
+    let folder = changed_example("simulate-loss", "in-line-4-mounts.toml", same);
     let text = output(&folder, 0, &["simulate", "engine.toml", "--imposed", "--block", "mounts"]);
     assert!(text.contains("Maxwell chains") && text.contains("% off"), "{text}");
 }
 
 #[test]
 fn a_weak_starter_and_a_load_too_large_are_outcomes() {
-    let weak = example("simulate-weak", SET, |text| text.replace("\"6 N m\"", "\"0.5 N m\""));
+    let weak = changed_example("simulate-weak", SET, |text| text.replace("\"6 N m\"", "\"0.5 N m\""));
     let text = output(&weak, 0, &["simulate", "engine.toml", "--for", "2 s", "--block", "fixed"]);
     assert!(text.contains("the crank comes to rest at"), "{text}");
-    let heavy = example("simulate-heavy", SET, same);
+    let heavy = changed_example("simulate-heavy", SET, same);
     let text = output(
         &heavy,
         0,
@@ -195,7 +184,7 @@ fn a_weak_starter_and_a_load_too_large_are_outcomes() {
 #[cfg(target_os = "linux")]
 #[test]
 fn an_interrupted_run_keeps_its_samples() {
-    let folder = example("simulate-interrupted", "in-line-4.toml", same);
+    let folder = changed_example("simulate-interrupted", "in-line-4.toml", same);
     let arguments = [
         "simulate",
         "engine.toml",
@@ -234,7 +223,7 @@ fn an_interrupted_run_keeps_its_samples() {
 
 #[test]
 fn crosscheck_lists_every_condition_and_what_is_missing() {
-    let folder = example("crosscheck", "in-line-4.toml", same);
+    let folder = changed_example("crosscheck", "in-line-4.toml", same);
     let text = output(&folder, 0, &["crosscheck", "engine.toml", "--order", "2"]);
     for words in ["Condition A", "Condition B", "Condition C", "Condition D", "agrees"] {
         assert!(text.contains(words), "{words}: {text}");
@@ -257,7 +246,7 @@ fn crosscheck_lists_every_condition_and_what_is_missing() {
 #[test]
 fn a_torque_from_a_file_is_that_of_its_orders() {
     let of = |test: &str, torque: &str| {
-        example(test, SET, |text| {
+        changed_example(test, SET, |text| {
             let gas = text.find("[gas]").unwrap();
             let rest = text.find("# Flywheel and rotor").unwrap();
             let text = format!("{}{}", &text[..gas], &text[rest..text.find("[load]").unwrap()]);

@@ -1,20 +1,7 @@
 //! `simulate`: state at the start, events and points of the command, Parquet, teeth, crankshafts as bodies, tolerances by kind of state, dead time.
 
-use crate::program::{examples, folder, lanchester, message, output, output_json};
+use crate::program::{changed_example, lanchester, message, output, output_json, same};
 use lanchester::table::{Bytes, Column, TableReader, Values};
-use std::fs;
-use std::path::PathBuf;
-
-fn example(test: &str, name: &str, change: impl Fn(String) -> String) -> PathBuf {
-    let folder = folder(test);
-    let text = fs::read_to_string(examples().join(name)).unwrap();
-    fs::write(folder.join("engine.toml"), change(text)).unwrap();
-    folder
-}
-
-fn same(text: String) -> String {
-    text
-}
 
 /// A column of a CSV text by its head.
 fn column(csv: &str, head: &str) -> Vec<f64> {
@@ -27,7 +14,7 @@ fn column(csv: &str, head: &str) -> Vec<f64> {
 
 #[test]
 fn a_run_starts_where_the_command_says() {
-    let folder = example("simulate-from", "generator-set-3.toml", same);
+    let folder = changed_example("simulate-from", "generator-set-3.toml", same);
     let of = |more: &[&str]| {
         let run = ["simulate", "engine.toml", "--imposed", "--inertia-only", "--for", "0.5 revolutions"];
         output(&folder, 0, &[&run[..], &["--step", "10 deg", "--format", "csv"], more].concat())
@@ -48,7 +35,7 @@ fn a_run_starts_where_the_command_says() {
 
 #[test]
 fn events_of_the_command_come_besides_those_of_the_file() {
-    let folder = example("simulate-events", "in-line-4.toml", |text| {
+    let folder = changed_example("simulate-events", "in-line-4.toml", |text| {
         format!("{text}\n[flywheel]\ninertia = \"0.2 kg m2\"\n")
     });
     let events = ["--event", "1 revolutions: load 3 N m", "--event", "540 deg: stop"];
@@ -76,8 +63,9 @@ fn events_of_the_command_come_besides_those_of_the_file() {
 #[test]
 fn points_of_the_block_move_with_it() {
     let point = "[simulation]\npoint = [{ name = \"head\", x = \"350 mm\", y = \"20 mm\" }]";
-    let folder =
-        example("simulate-points", "generator-set-3.toml", |text| text.replace("[simulation]", point));
+    let folder = changed_example("simulate-points", "generator-set-3.toml", |text| {
+        text.replace("[simulation]", point)
+    });
     let run = ["simulate", "engine.toml", "--imposed", "--inertia-only", "--speed", "1500 rpm", "--for"];
     let run = [&run[..], &["2 revolutions", "--step", "10 deg", "--point", "0 mm, 100 mm, -200 mm"]].concat();
     let text = output(&folder, 0, &run);
@@ -110,7 +98,7 @@ fn points_of_the_block_move_with_it() {
 
 #[test]
 fn parquet_holds_what_csv_holds() {
-    let folder = example("simulate-parquet", "in-line-4.toml", same);
+    let folder = changed_example("simulate-parquet", "in-line-4.toml", same);
     let run = ["simulate", "engine.toml", "--imposed", "--for", "4 revolutions", "--step", "10 deg"];
     for table in ["trace", "reactions", "orders", "energy"] {
         let csv = output(&folder, 0, &[&run[..], &["--format", "csv", "--table", table]].concat());
@@ -144,7 +132,7 @@ fn teeth_load_the_bearings() {
         move |text: String| format!("{text}\n[simulation]\nmesh = [{{ {words} }}]\n")
     };
     let good = "shaft = \"against the crank\", pressure_angle = \"20 deg\", z = \"-170 mm\"";
-    let folder = example("simulate-teeth", "in-line-4-shafts.toml", mesh(good));
+    let folder = changed_example("simulate-teeth", "in-line-4-shafts.toml", mesh(good));
     let run = ["simulate", "engine.toml", "--imposed", "--for", "1 revolutions", "--step", "10 deg"];
     let text = output(&folder, 0, &run);
     assert!(text.contains("Gears and shafts in the last period"), "{text}");
@@ -161,7 +149,7 @@ fn teeth_load_the_bearings() {
         ("shaft = \"nobody\", pressure_angle = \"20 deg\", z = \"0 mm\"", "no driven shaft has this name"),
         ("shaft = \"with the crank\", pressure_angle = \"20 deg\", z = \"0 mm\"", "opposite senses"),
     ] {
-        let folder = example("simulate-no-teeth", "in-line-4-shafts.toml", mesh(words));
+        let folder = changed_example("simulate-no-teeth", "in-line-4-shafts.toml", mesh(words));
         let said = message(&folder, 2, &run);
         assert!(said.contains(told), "{said}");
     }
@@ -171,20 +159,20 @@ fn teeth_load_the_bearings() {
 #[test]
 fn a_crankshaft_turns_as_a_body() {
     let run = ["simulate", "engine.toml", "--imposed", "--for", "1 revolutions", "--step", "10 deg"];
-    let plain = example("simulate-unbalances", "in-line-3-counterweights.toml", same);
+    let plain = changed_example("simulate-unbalances", "in-line-3-counterweights.toml", same);
     let asked = |text: String| format!("{text}\n[simulation]\ncrankshaft = \"body\"\n");
-    let body = example("simulate-body", "in-line-3-counterweights.toml", asked);
+    let body = changed_example("simulate-body", "in-line-3-counterweights.toml", asked);
     let [without, with] = [&plain, &body].map(|folder| output(folder, 0, &run));
     let words = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(words(&without).contains("The run takes unbalances and polar inertia"), "{without}");
     assert!(words(&with).contains("The run takes those of the body."), "{with}");
-    let none = example("simulate-no-body", "in-line-4.toml", asked);
+    let none = changed_example("simulate-no-body", "in-line-4.toml", asked);
     assert!(message(&none, 2, &run).contains("cannot turn as a body"));
 }
 
 #[test]
 fn tolerances_and_dead_time_reach_the_run() {
-    let folder = example("simulate-dead-time", "generator-set-3.toml", |text| {
+    let folder = changed_example("simulate-dead-time", "generator-set-3.toml", |text| {
         text.replace("lag = \"30 ms\"", "delay = \"30 ms\"\nlag = \"10 ms\"")
             .replace("duration = \"24 s\"", "duration = \"0.5 s\"\ntolerances = { velocity = \"0.01 mm/s\" }")
             .replace("speed = \"0 rpm\"", "speed = \"1490 rpm\"")

@@ -32,7 +32,7 @@ use crate::train::sampling::sampled_orders;
 use crate::train::series::slider_orders;
 use crate::train::turned::Turned;
 use lanchester_model::{Engine, Ratio, RodJoint};
-use lanchester_numerics::{GAUSS_8, unit_points};
+use lanchester_numerics::{GAUSS_8, about_zero, unit_points};
 use lanchester_results::OrderLoads;
 use lanchester_results::PeriodicCurve;
 use num_complex::Complex64;
@@ -88,7 +88,7 @@ impl GasPiston {
 
     /// Whether another piston has the same torque on its own crankshaft at the same angles after its firing, to the last digit of the pressures.
     pub fn works_as(&self, other: &GasPiston) -> bool {
-        let turned = (self.at_firing - other.at_firing + PI).rem_euclid(TAU) - PI;
+        let turned = about_zero(self.at_firing - other.at_firing, TAU);
         turned.abs() < SAME_PHASE
             && self.ratio == other.ratio
             && self.radius == other.radius

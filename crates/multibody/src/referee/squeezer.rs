@@ -2,9 +2,9 @@
 //! by which the referee itself is judged.
 
 use crate::referee::{Assembly, BodyLoad, GROUND, Joint, LineSpring, Pose, RigidBody};
-use lanchester_numerics::{Dop853, Function, Outcome, Settings};
+use lanchester_numerics::{Dop853, Function, Outcome, Settings, about_zero};
 use nalgebra::{Matrix3, Rotation3, Vector3};
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 
 /// Pivots and the end of the spring on the ground [m], torque of the motor [N m].
@@ -112,7 +112,7 @@ pub fn squeezer_angles(time: f64) -> Option<[f64; 5]> {
         poses = assembly.unpack(&state);
         assembly.project(&mut poses)?;
         for (sum, pose) in turned.iter_mut().zip(&poses) {
-            *sum += (angle(pose) - *sum + PI).rem_euclid(TAU) - PI;
+            *sum += about_zero(angle(pose) - *sum, TAU);
         }
     }
     let [k1, k2, k3, k4, k5, ..] = turned[..] else { return None };

@@ -8,6 +8,7 @@ use crate::explore::error::ExploreError;
 use crate::explore::parts::Parts;
 use crate::explore::shaft_set::ShaftSet;
 use lanchester_model::Strokes;
+use lanchester_numerics::about_zero;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::{PI, TAU};
 
@@ -286,7 +287,7 @@ fn distinct(
 
 /// The angle in [-pi, pi).
 pub(crate) fn centred(angle: f64) -> f64 {
-    (angle + PI).rem_euclid(TAU) - PI
+    about_zero(angle, TAU)
 }
 
 /// Whether two angles are one direction.
