@@ -12,7 +12,6 @@ use crate::{
     test_programs, tidy,
 };
 use anyhow::{Context, Result};
-use std::process::Command;
 
 /// Runs every step of `steps`.
 pub fn run(mut steps: Steps) -> Result<()> {
@@ -38,11 +37,7 @@ pub fn run(mut steps: Steps) -> Result<()> {
             .step("mutated files, kills, laws, attacks: a short round", || hostile::short(&program))
             .step("engine files of the README and the book", || documents::engines(&program))
             .step("claims of the README and the book", || claims::check(&program))
-            .step("published numbers", || {
-                let text = quiet(Command::new(&program).arg("validate").current_dir(root()))?;
-                let last = text.lines().rfind(|line| !line.trim().is_empty());
-                Ok(last.unwrap_or_default().trim().to_owned())
-            })
+            // Among them the page of published numbers, which fails where a verdict is not the expected one.
             .step("generated pages are fresh", || generate::check(&program))
             .step("report in a browser", || browser::check_reports(&program)),
         Lane::new()

@@ -35,7 +35,7 @@ tasks of the workspace
 
   cargo xtask ci                                all that CI runs; installs what it needs; --to-the-end tells all failures
   cargo xtask quick                             before the next change: format, rules, lints, tests but the slow ones
-  cargo xtask test                              all tests with the cases of CI; lists the slowest
+  cargo xtask test [--release]                  all tests with the cases of CI; lists the slowest; --release in the profile of CI
   cargo xtask tidy                              rules of the house: crate arrows, pages, links, file length, ...;
                                                 --sources for those that need nothing built
   cargo xtask generate                          write the generated pages of the book anew; --release with the program of CI
@@ -72,8 +72,9 @@ fn task(arguments: &[String]) -> Result<()> {
         Some("ci") if rest.is_empty() => ci::run(Steps::default()),
         Some("ci") if rest == ["--to-the-end"] => ci::run(Steps::to_the_end()),
         Some("quick") if rest.is_empty() => ci::quick(),
-        Some("test") if rest.is_empty() => {
-            println!("{}", test_programs::all(Profile::Dev)?);
+        Some("test") if rest.is_empty() || rest == ["--release"] => {
+            let profile = if rest.is_empty() { Profile::Dev } else { Profile::Release };
+            println!("{}", test_programs::all(profile)?);
             Ok(())
         }
         Some("tidy") if rest.is_empty() => tidy::run(),

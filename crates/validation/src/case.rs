@@ -13,9 +13,8 @@ use lanchester::mechanism::{Kinematics, LoadRequest, Loads, Part, PeakMode, load
 use lanchester::model::Engine;
 use lanchester::report::CrankCycle;
 use lanchester::task::workshop::Sheet;
-use std::cell::OnceCell;
 use std::collections::HashMap;
-use std::rc::Rc;
+use std::sync::{Arc, OnceLock};
 
 /// An engine and its loads.
 pub(crate) struct Run {
@@ -26,16 +25,16 @@ pub(crate) struct Run {
     pub shape: ShapeFit,
     pub stress_fit: StressFit,
     /// Static stress, once it was asked for.
-    pub stress: OnceCell<Result<StressRun, String>>,
+    pub stress: OnceLock<Result<StressRun, String>>,
     /// The flexible crankshaft over the cycle, once it was asked for.
-    pub cycle: OnceCell<Result<CrankCycle, String>>,
+    pub cycle: OnceLock<Result<CrankCycle, String>>,
     pub kinematics: Kinematics,
     /// Every quantity that went in, in SI units.
     pub inputs: Vec<f64>,
     /// Step of the speeds among which the largest power is looked for [rpm]; none: all speeds.
     pub power_step: Option<f64>,
     /// What the gas does, once it was asked for.
-    pub gas: OnceCell<Result<GasRun, String>>,
+    pub gas: OnceLock<Result<GasRun, String>>,
 }
 
 impl Run {
@@ -56,7 +55,7 @@ impl Run {
 /// Keeps what was computed, for a table asks for the same engine many times.
 #[derive(Default)]
 pub(crate) struct Bench {
-    runs: HashMap<String, Rc<Run>>,
+    runs: HashMap<String, Arc<Run>>,
 }
 
 impl Bench {
@@ -67,7 +66,7 @@ impl Bench {
         edits: &[Edit],
         kinematics: KinematicsName,
         about: Option<&str>,
-    ) -> Result<Rc<Run>, String> {
+    ) -> Result<Arc<Run>, String> {
         let (text, fitting) = engine_text(source, edits)?;
         let changes: Vec<&Change> = edits.iter().filter_map(|edit| change_of(source, edit).ok()).collect();
         let mut request = LoadRequest { kinematics: kinematics.kinematics(), ..LoadRequest::default() };
@@ -89,7 +88,7 @@ impl Bench {
             request.reference = reference_point(&engine, about)?;
         }
         let loads = loads(&engine, &request).map_err(|error| error.to_string())?;
-        let run = Rc::new(Run {
+        let run = Arc::new(Run {
             file: EngineFile { engine: engine.clone(), tasks },
             engine,
             loads,
@@ -97,10 +96,10 @@ impl Bench {
             power_step: fitting.power_step,
             shape: fitting.shape,
             stress_fit: fitting.stress,
-            stress: OnceCell::new(),
-            cycle: OnceCell::new(),
+            stress: OnceLock::new(),
+            cycle: OnceLock::new(),
             kinematics: request.kinematics,
-            gas: OnceCell::new(),
+            gas: OnceLock::new(),
         });
         self.runs.insert(id, run.clone());
         Ok(run)

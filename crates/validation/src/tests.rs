@@ -1,9 +1,18 @@
-//! A verdict that should fail does: every number is moved by one unit of its last digit.
+//! The published numbers: every verdict is the expected one, and a verdict that should fail does: every number is
+//! moved by one unit of its last digit.
 
 use super::files::sources;
 use super::source::PrintedCells;
 use crate::*;
-use std::sync::OnceLock;
+use std::path::Path;
+use std::sync::{Mutex, MutexGuard, OnceLock};
+
+/// What is computed once for all tests. Its lock is taken for one use at a time.
+fn bench() -> MutexGuard<'static, Bench> {
+    static BENCH: OnceLock<Mutex<Bench>> = OnceLock::new();
+    // A failed test leaves whole runs behind.
+    BENCH.get_or_init(Mutex::default).lock().unwrap_or_else(|poisoned| poisoned.into_inner())
+}
 
 /// The printed text moved by so many units of its last digit.
 fn moved(text: &str, units: f64) -> String {
@@ -17,12 +26,9 @@ fn moved(text: &str, units: f64) -> String {
     }
 }
 
-fn changed(change: impl FnMut(&mut Cell)) -> Vec<RowResult> {
-    changed_on(&mut Bench::default(), change)
-}
-
-/// With what the bench has computed already: changes of printed cells change no engine.
-fn changed_on(bench: &mut Bench, mut change: impl FnMut(&mut Cell)) -> Vec<RowResult> {
+/// Rows after a change of every printed cell: it changes no engine.
+fn changed(mut change: impl FnMut(&mut Cell)) -> Vec<RowResult> {
+    let mut bench = bench();
     let mut rows = Vec::new();
     for mut source in sources() {
         for row in source.tables.iter_mut().flat_map(|t| &mut t.rows) {
@@ -31,15 +37,90 @@ fn changed_on(bench: &mut Bench, mut change: impl FnMut(&mut Cell)) -> Vec<RowRe
                 PrintedCells::Columns(cells) => cells.iter_mut().for_each(&mut change),
             }
         }
-        rows.extend(source.tables.iter().flat_map(|t| validate_table(bench, &source, t).rows));
+        rows.extend(source.tables.iter().flat_map(|t| validate_table(&mut bench, &source, t).rows));
     }
     rows
+}
+
+/// As [`validate`] finds them.
+fn of(filter: Option<&str>) -> Validation {
+    validate_on(&mut bench(), filter)
 }
 
 /// All numbers, computed once for all tests.
 fn whole() -> &'static Validation {
     static WHOLE: OnceLock<Validation> = OnceLock::new();
-    WHOLE.get_or_init(|| validate(None))
+    WHOLE.get_or_init(|| of(None))
+}
+
+/// Fails with the rows that are not as expected.
+fn assert_passed(validation: &Validation) {
+    assert!(validation.passed(), "{}", text(validation, false));
+}
+
+#[test]
+fn lit_louvigny_2008_twin_cylinder_thesis() {
+    assert_passed(&of(Some("twin-cylinder-thesis")));
+}
+
+#[test]
+fn lit_singh_2017_three_four_cylinder_thesis() {
+    assert_passed(&of(Some("three-four-cylinder-thesis")));
+}
+
+#[test]
+fn lit_louvigny_2009_flexible_paper() {
+    assert_passed(&of(Some("flexible-paper")));
+}
+
+#[test]
+fn lit_applied_sciences_2021_8997_tool_paper() {
+    assert_passed(&of(Some("balancing-tool-paper")));
+}
+
+#[test]
+fn published_examples_of_the_workshop() {
+    for source in ["two-plane-example", "balance-grade-example", "bobweight-example"] {
+        let validation = of(Some(source));
+        assert_passed(&validation);
+        assert_eq!(validation.counts.with(Verdict::Match), validation.counts.rows, "{source}");
+    }
+}
+
+#[test]
+fn filters_keep_whole_table_numbers() {
+    let tables = |filter| -> Vec<String> {
+        of(Some(filter)).sources.into_iter().flat_map(|s| s.tables).map(|t| t.table).collect()
+    };
+    assert_eq!(tables("table 4"), ["Table 4"]);
+    assert_eq!(tables("three-four-cylinder-thesis table 4."), ["Table 4.2", "Table 4.3", "Table 4.4"]);
+    assert_eq!(tables("TABLE 36"), ["Table 36"]);
+    assert!(tables("table 99").is_empty());
+}
+
+#[test]
+fn nothing_computed_has_not_passed() {
+    let nothing = of(Some("no such source"));
+    assert!(!nothing.passed());
+    assert!(text(&nothing, false).contains("nothing was computed"));
+}
+
+#[test]
+fn csv_has_a_line_for_every_row() {
+    let validation = of(Some("Table 50"));
+    let csv = csv(&validation);
+    assert_eq!(csv.lines().count(), 1 + validation.counts.rows);
+    assert!(csv.contains("\"29,2\""), "a decimal comma must be quoted");
+}
+
+#[test]
+fn the_page_of_the_book_is_fresh() {
+    let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/src/validation.md");
+    let committed = std::fs::read_to_string(page).unwrap();
+    assert!(
+        committed == markdown(whole()),
+        "docs/src/validation.md is stale: write it with `lanchester validate --markdown`"
+    );
 }
 
 #[test]
@@ -49,9 +130,8 @@ fn every_row_is_as_expected_unless_it_is_changed() {
 
 #[test]
 fn a_printed_number_one_unit_off_fails() {
-    let mut bench = Bench::default();
     for units in [-1.0, 1.0] {
-        let rows = changed_on(&mut bench, |cell| cell.set_text(moved(cell.text(), units)));
+        let rows = changed(|cell| cell.set_text(moved(cell.text(), units)));
         // A number that the source prints wrongly stays wrong, one within a range stays within: there the correct one is
         // held instead.
         let stays = |row: &RowResult| {
@@ -66,9 +146,8 @@ fn a_printed_number_one_unit_off_fails() {
 
 #[test]
 fn a_correct_number_one_unit_off_fails() {
-    let mut bench = Bench::default();
     for units in [-1.0, 1.0] {
-        let rows = changed_on(&mut bench, |cell| {
+        let rows = changed(|cell| {
             let text = cell.correct().map(|c| moved(c, units));
             cell.set_correct(text);
         });
@@ -98,9 +177,8 @@ fn ours_one_unit_off_fails() {
 #[test]
 fn another_expected_verdict_fails() {
     let others = [Verdict::Match, Verdict::WithinRounding, Verdict::RoundedIntermediate, Verdict::Residual];
-    let mut bench = Bench::default();
     for other in others {
-        let rows = changed_on(&mut bench, |cell| {
+        let rows = changed(|cell| {
             let expected = if cell.expected() == other { Verdict::ExplainedAfterwards } else { other };
             cell.set_expected(expected);
         });
@@ -110,7 +188,7 @@ fn another_expected_verdict_fails() {
 
 #[test]
 fn one_row_that_is_not_as_expected_fails_the_whole() {
-    let mut validation = validate(Some("Table 36"));
+    let mut validation = of(Some("Table 36"));
     assert!(validation.passed());
     validation.sources[0].tables[0].rows[3].ok = false;
     validation.counts = Counts::of(&validation.sources[0].tables[0].rows);
@@ -121,11 +199,10 @@ fn one_row_that_is_not_as_expected_fails_the_whole() {
 
 #[test]
 fn what_cannot_be_computed_is_said_and_fails() {
-    let mut bench = Bench::default();
     let mut sources = sources();
     let source = &mut sources[0];
     source.tables[0].rows[0].key = "lunar phase".to_string();
-    let row = &validate_table(&mut bench, source, &source.tables[0]).rows[0];
+    let row = &validate_table(&mut bench(), source, &source.tables[0]).rows[0];
     assert_eq!((row.verdict, row.ok), (Verdict::NotComputed, false));
     assert!(row.ours.contains("lunar phase"));
 }
@@ -164,7 +241,6 @@ fn every_tolerance_is_that_of_the_printed_digits_and_is_shown() {
 
 #[test]
 fn an_input_compared_with_itself_is_no_match() {
-    let mut bench = Bench::default();
     let mut sources = sources();
     let source = sources.iter_mut().find(|source| source.key == "balancing-tool-paper").unwrap();
     source.tables[0].rows[0].key = "rod length".to_string();
@@ -172,7 +248,7 @@ fn an_input_compared_with_itself_is_no_match() {
     let mut cell = Cell::Plain("135".to_string());
     cell.set_expected(Verdict::Match);
     source.tables[0].rows[0].printed = PrintedCells::One(cell);
-    let row = &validate_table(&mut bench, source, &source.tables[0]).rows[0];
+    let row = &validate_table(&mut bench(), source, &source.tables[0]).rows[0];
     assert_eq!((row.verdict, row.ok), (Verdict::InputItself, false), "{}", row.ours);
 }
 

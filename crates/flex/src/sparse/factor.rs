@@ -202,17 +202,20 @@ impl<T: Real> Factor<T> {
         let par = Par::rayon(PARALLEL);
         let mut memory = MemBuffer::new(symbolic.factorize_numeric_llt_scratch::<T>(par, Default::default()));
         let mut values = vec![T::from_double(0.0); symbolic.len_val()];
-        let outcome = symbolic
-            .factorize_numeric_llt(
-                &mut values,
-                SparseColMatRef::new(pattern, &cast),
-                Side::Lower,
-                Default::default(),
-                par,
-                MemStack::new(&mut memory),
-                Default::default(),
-            )
-            .map(|_| ());
+        // On a thread of the pool: from outside, each of its many products would be handed over and waited for.
+        let outcome = rayon::scope(|_| {
+            symbolic
+                .factorize_numeric_llt(
+                    &mut values,
+                    SparseColMatRef::new(pattern, &cast),
+                    Side::Lower,
+                    Default::default(),
+                    par,
+                    MemStack::new(&mut memory),
+                    Default::default(),
+                )
+                .map(|_| ())
+        });
         match outcome {
             Ok(()) => Ok(Factor { symbolic: symbolic.clone(), values }),
             Err(LltError::NonPositivePivot { index }) => Err(FlexError::NotDefinite { unknown: index }),
@@ -226,11 +229,12 @@ impl<T: Real> Factor<T> {
         let par = if columns > 1 { Par::rayon(PARALLEL) } else { Par::Seq };
         let mut memory = MemBuffer::new(self.symbolic.solve_in_place_scratch::<T>(columns, par));
         let right = MatMut::from_column_major_slice_mut(sides, size, columns);
-        LltRef::new(&self.symbolic, &self.values).solve_in_place_with_conj(
-            Conj::No,
-            right,
-            par,
-            MemStack::new(&mut memory),
-        );
+        let factor = LltRef::new(&self.symbolic, &self.values);
+        let solve = || factor.solve_in_place_with_conj(Conj::No, right, par, MemStack::new(&mut memory));
+        match par {
+            Par::Seq => solve(),
+            // On a thread of the pool, as in `new`.
+            _ => rayon::scope(|_| solve()),
+        }
     }
 }
