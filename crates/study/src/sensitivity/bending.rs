@@ -46,7 +46,7 @@ pub(super) fn bending_slope(train: &Train<'_>, spots: &[BendingSpot], nothing: f
 /// Loads that turn with a crankshaft, at `theta = 0`: plane and force.
 fn loads(train: &Train<'_>, crankshaft: usize) -> Vec<(Dual64, Vector)> {
     let engine = train.engine;
-    let turning = train.turning_on_cranks(known(0.0)).into_iter();
+    let turning = train.turning_on_cranks(known(0.0), |_, _| true).into_iter();
     let own = turning.filter(|turning| turning.crankshaft == crankshaft);
     let turning =
         own.map(|turning| (turning.z, turning.direction.map(|along| -turning.unbalance * along.v2)));

@@ -214,9 +214,7 @@ impl<'a> Sample<'a> {
                 .map(|rod| {
                     wave(
                         false,
-                        Box::new(move |theta, windows| {
-                            plane(train.pin_forces(theta, windows)[rod].lower_pin)
-                        }),
+                        Box::new(move |theta, windows| plane(train.pin_force(rod, theta, windows).lower_pin)),
                     )
                 })
                 .collect(),
@@ -225,7 +223,7 @@ impl<'a> Sample<'a> {
                     wave(
                         false,
                         Box::new(move |theta, windows| {
-                            plane(train.pin_forces(theta, windows)[rod].piston_pin)
+                            plane(train.pin_force(rod, theta, windows).piston_pin)
                         }),
                     )
                 })
@@ -234,7 +232,7 @@ impl<'a> Sample<'a> {
                 .map(|rod| {
                     wave(
                         true,
-                        Box::new(move |theta, windows| number(train.pin_forces(theta, windows)[rod].thrust)),
+                        Box::new(move |theta, windows| number(train.pin_force(rod, theta, windows).thrust)),
                     )
                 })
                 .collect(),

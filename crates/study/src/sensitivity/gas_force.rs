@@ -7,7 +7,7 @@
 //! piece that it is there, so that the window of angles in which it is read is given.
 
 use super::quantity::Quantity;
-use super::train::Train;
+use super::train::{RodMotion, Train};
 use num_dual::Dual64;
 use std::f64::consts::PI;
 
@@ -38,17 +38,20 @@ impl Train<'_> {
         (factor * cylinder - beneath * crankcase) * bore * bore * (PI / 4.0)
     }
 
-    /// Torque of the gas at crankshaft 1 [N m]: the power of its forces over the speed.
+    /// Torque of the gas at crankshaft 1 [N m].
     pub fn gas_torque(&self, theta: Dual64, windows: &[Window]) -> Dual64 {
-        let power = |index: usize| {
-            let rate = self.rod(theta, index).travel.v1;
-            -self.gas_force(index, theta, windows) * rate
-        };
+        self.gas_torque_of(&self.rods(theta), theta, windows)
+    }
+
+    /// Torque of the gas on the pistons of these rods at crankshaft 1 [N m]: the power of its forces over the speed.
+    pub fn gas_torque_of(&self, rods: &[RodMotion], theta: Dual64, windows: &[Window]) -> Dual64 {
+        let power = |index: usize| -self.gas_force(index, theta, windows) * rods[index].travel.v1;
         (0..self.prepared.gas.len()).map(power).sum::<Dual64>() / self.speed
     }
 
     /// Torque at crankshaft 1 of all loads that count [N m].
     pub fn torque(&self, theta: Dual64, windows: &[Window]) -> Dual64 {
-        self.loads(theta).torque + self.gas_torque(theta, windows)
+        let rods = self.rods(theta);
+        self.loads_of(theta, &rods).torque + self.gas_torque_of(&rods, theta, windows)
     }
 }

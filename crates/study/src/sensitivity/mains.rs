@@ -60,19 +60,22 @@ impl Mains {
     /// Force of the journal on main bearing `main` [N], x and y.
     pub fn force(&self, main: usize, train: &Train<'_>, theta: Dual64, windows: &[Window]) -> Vector {
         let mut sum = [known(0.0); 2];
-        let mut add = |crankshaft: usize, z: Dual64, force: Vector| {
-            let share = self.share(main, crankshaft, z);
-            sum = [0, 1].map(|k| sum[k] + force[k] * share);
-        };
-        for turning in train.turning_on_cranks(theta) {
+        let share = |crankshaft: usize, z: Dual64| self.share(main, crankshaft, z);
+        // What other main bearings carry need not be known.
+        let counts = |share: Dual64| share.re != 0.0 || share.eps != 0.0;
+        let is_carried = |crankshaft: usize, z: Dual64| counts(share(crankshaft, z));
+        let mut add = |share: Dual64, force: Vector| sum = [0, 1].map(|k| sum[k] + force[k] * share);
+        for turning in train.turning_on_cranks(theta, is_carried) {
             let force = turning.direction.map(|along| -turning.unbalance * along.v2);
-            add(turning.crankshaft, turning.z, force);
+            add(share(turning.crankshaft, turning.z), force);
         }
-        for (index, forces) in train.pin_forces(theta, windows).into_iter().enumerate() {
+        let of_rod = |index: usize| {
             let cylinder = &train.engine.cylinders[index];
-            let crankshaft = train.engine.throws[cylinder.throw].crankshaft;
             let z = train.plane(train.part(Varied::CylinderPlane, index, cylinder.z), cylinder.z);
-            add(crankshaft, z, forces.on_crank);
+            share(train.engine.throws[cylinder.throw].crankshaft, z)
+        };
+        for (index, forces) in train.pin_forces(theta, windows, |index| counts(of_rod(index))) {
+            add(of_rod(index), forces.on_crank);
         }
         sum
     }

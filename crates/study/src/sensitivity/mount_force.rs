@@ -105,8 +105,9 @@ fn sampled(train: &Train<'_>, stretches: &[Stretch]) -> Vec<(Dual64, Dual64, [Du
     let mut all = Vec::new();
     for stretch in stretches {
         for (theta, weight) in stretch.cuts.windows(2).flat_map(|pair| stretch.points(pair[0], pair[1])) {
-            let loads = train.loads(theta);
-            let roll = loads.roll - train.gas_torque(theta, &stretch.windows);
+            let rods = train.rods(theta);
+            let loads = train.loads_of(theta, &rods);
+            let roll = loads.roll - train.gas_torque_of(&rods, theta, &stretch.windows);
             let [[fx, fy], [mx, my]] = [loads.force, loads.couple];
             all.push((theta, weight, [fx, fy, mx, my, roll]));
         }

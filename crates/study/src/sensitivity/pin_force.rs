@@ -69,28 +69,45 @@ impl RodMotion {
 }
 
 impl Train<'_> {
-    /// Forces of all rods and pistons where crankshaft 1 stands at `theta` [rad].
-    pub fn pin_forces(&self, theta: Dual64, windows: &[Window]) -> Vec<PinForces> {
-        let cylinders = &self.engine.cylinders;
-        let motions: Vec<RodMotion> = (0..cylinders.len()).map(|index| self.rod(theta, index)).collect();
-        let mut forces: Vec<PinForces> = motions
-            .iter()
-            .enumerate()
-            .map(|(index, motion)| motion.alone(self.gas_force(index, theta, windows)))
-            .collect();
-        for (index, cylinder) in cylinders.iter().enumerate() {
-            let RodJoint::Articulated { master, .. } = cylinder.rod.joint else { continue };
-            let on_knuckle = forces[index].lower_pin;
-            let motion = &motions[master];
-            let thrust = motion.thrust_by(motions[index].big_end.map(|along| along.re), on_knuckle);
+    /// Forces of the rods and pistons that are wanted, where crankshaft 1 stands at `theta` [rad].
+    pub fn pin_forces(
+        &self,
+        theta: Dual64,
+        windows: &[Window],
+        wanted: impl Fn(usize) -> bool,
+    ) -> Vec<(usize, PinForces)> {
+        let alone = |index: usize| {
+            let motion = self.rod(theta, index);
+            let forces = motion.alone(self.gas_force(index, theta, windows));
+            (motion, forces)
+        };
+        let master = |index: usize| match self.engine.cylinders[index].rod.joint {
+            RodJoint::Articulated { master, .. } => Some(master),
+            _ => None,
+        };
+        let is_needed = |index: usize| wanted(index) || master(index).is_some_and(&wanted);
+        let mut rods: Vec<Option<(RodMotion, PinForces)>> =
+            (0..self.engine.cylinders.len()).map(|index| is_needed(index).then(|| alone(index))).collect();
+        for index in 0..rods.len() {
+            let Some(master) = master(index).filter(|master| wanted(*master)) else { continue };
+            let Some((articulated, of_articulated)) = &rods[index] else { continue };
+            let (knuckle, on_knuckle) = (articulated.big_end.map(|along| along.re), of_articulated.lower_pin);
+            let Some((motion, own)) = &mut rods[master] else { continue };
+            let thrust = motion.thrust_by(knuckle, on_knuckle);
             let by_wall = times(motion.across(), thrust);
             // The thrust passes from the wall through the master's piston pin to the crankpin in the master's plane.
-            let own = &mut forces[master];
             own.on_crank = plus(own.on_crank, by_wall);
             own.thrust += thrust;
             own.piston_pin = plus(own.piston_pin, times(by_wall, Dual64::new(-1.0, 0.0)));
             own.lower_pin = plus(own.lower_pin, plus(on_knuckle, by_wall));
         }
-        forces
+        let found = rods.into_iter().enumerate().filter(|(index, _)| wanted(*index));
+        found.filter_map(|(index, rod)| Some((index, rod?.1))).collect()
+    }
+
+    /// Forces of rod `index` and its piston where crankshaft 1 stands at `theta` [rad].
+    pub fn pin_force(&self, index: usize, theta: Dual64, windows: &[Window]) -> PinForces {
+        let found = self.pin_forces(theta, windows, |own| own == index);
+        found.first().expect("invariant: the rod that is wanted is found").1
     }
 }

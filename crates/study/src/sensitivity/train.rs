@@ -65,6 +65,8 @@ pub(super) struct Train<'a> {
     /// Derivative of the factor by which planes stretch.
     stretch: f64,
     input: Input,
+    /// Directions of the axes of the cylinders.
+    axes: Vec<Vector>,
     /// `theta` [rad] from which the pressures of the cylinders count, where gas counts: their firing top dead centres.
     pub firing: Vec<Dual64>,
 }
@@ -121,7 +123,9 @@ impl<'a> Train<'a> {
         let spacing = engine.spacing().filter(|_| input.quantity == Quantity::Spacing);
         let stretch = spacing.map_or(0.0, |spacing| 1.0 / spacing);
         let speed = Dual64::new(prepared.point.speed, eps);
-        let mut train = Train { prepared, engine, speed, side, stretch, input, firing: Vec::new() };
+        let (axes, firing) = (Vec::new(), Vec::new());
+        let mut train = Train { prepared, engine, speed, side, stretch, input, axes, firing };
+        train.axes = (0..engine.cylinders.len()).map(|index| train.axis(index)).collect();
         let firing = |(index, gas): (usize, &PistonGas<'_>)| {
             train.top(index, gas.firing) + train.of(Quantity::PressureDelay, index, 0.0) / gas.rate
         };
@@ -173,14 +177,23 @@ impl<'a> Train<'a> {
 
     /// Loads of inertia where crankshaft 1 stands at `theta` [rad].
     pub fn loads(&self, theta: Dual64) -> DualLoads {
+        self.loads_of(theta, &self.rods(theta))
+    }
+
+    /// Rods and pistons where crankshaft 1 stands at `theta` [rad].
+    pub fn rods(&self, theta: Dual64) -> Vec<RodMotion> {
+        (0..self.engine.cylinders.len()).map(|index| self.rod(theta, index)).collect()
+    }
+
+    /// Loads of inertia of these rods and what turns.
+    pub fn loads_of(&self, theta: Dual64, rods: &[RodMotion]) -> DualLoads {
         let zero = known(0.0);
         let mut sums = Sums { force: [zero; 2], couple: [zero; 2], power: zero, torque: zero };
-        for turning in self.turning_on_cranks(theta) {
+        for turning in self.turning_on_cranks(theta, |_, _| true) {
             sums.mass(turning.unbalance, beside(turning.axis, turning.direction), turning.z);
         }
         self.add_shafts(theta, &mut sums);
-        for index in 0..self.engine.cylinders.len() {
-            let rod = self.rod(theta, index);
+        for rod in rods {
             let [big, small, inertia, piston] = rod.masses;
             sums.mass(big, rod.big_end, rod.z);
             sums.mass(small, rod.pin, rod.z);
@@ -191,26 +204,26 @@ impl<'a> Train<'a> {
         DualLoads { force: sums.force, couple: sums.couple, roll: -torque - sums.torque, torque }
     }
 
-    /// Throws themselves and counterweights.
-    pub fn turning_on_cranks(&self, theta: Dual64) -> Vec<Turning> {
+    /// Throws themselves and counterweights, those on a crankshaft and in a plane that are wanted.
+    pub fn turning_on_cranks(&self, theta: Dual64, wanted: impl Fn(usize, Dual64) -> bool) -> Vec<Turning> {
         let engine = self.engine;
         let turning = |crankshaft: usize, angle: Dual64, unbalance: Dual64, z: Dual64| {
             let ratio = engine.crankshafts[crankshaft].ratio;
-            Turning {
+            wanted(crankshaft, z).then(|| Turning {
                 crankshaft,
                 axis: self.crankshaft_axis(crankshaft),
                 direction: self.circle(ratio, theta, angle + self.phase(crankshaft)),
                 unbalance: self.weighed(unbalance),
                 z,
-            }
+            })
         };
-        let throws = engine.throws.iter().enumerate().map(|(index, throw)| {
+        let throws = engine.throws.iter().enumerate().filter_map(|(index, throw)| {
             let angle = self.part(Varied::ThrowAngle, index, throw.angle);
             let unbalance = self.part(Varied::ThrowUnbalance, index, throw.unbalance);
             let z = self.of(Quantity::ThrowPlane, index, throw.unbalance_plane());
             turning(throw.crankshaft, angle, unbalance, self.plane(z, throw.z))
         });
-        let weights = engine.counterweights.iter().enumerate().map(|(index, weight)| {
+        let weights = engine.counterweights.iter().enumerate().filter_map(|(index, weight)| {
             let mut angle = self.part(Varied::CounterweightAngle, index, weight.angle);
             let mut unbalance = self.part(Varied::CounterweightUnbalance, index, weight.unbalance);
             if self.prepared.point.weights == Weights::Follow {
@@ -312,7 +325,7 @@ impl<'a> Train<'a> {
     fn piston(&self, index: usize, big_end: Place) -> (OverTime, [Place; 2]) {
         let cylinder = &self.engine.cylinders[index];
         let centre = self.crank_axis(index);
-        let [along, across] = self.axis(index).map(constant);
+        let [along, across] = self.axes[index].map(constant);
         let length = self.part(Varied::RodLength, index, cylinder.rod.length);
         let line = self.part(Varied::Offset, index, cylinder.offset);
         let net = line + self.of(Quantity::PinOffset, index, cylinder.pin_offset);
@@ -358,7 +371,7 @@ impl<'a> Train<'a> {
         let [big, small, inertia] = self.rod_masses(index);
         let piston_mass = self.part(Varied::PistonMass, index, cylinder.piston_mass);
         let masses = [big, small, inertia, piston_mass].map(|mass| self.weighed(mass));
-        RodMotion { big_end, pin, piston, travel, axis: self.axis(index), spin, masses, z: along }
+        RodMotion { big_end, pin, piston, travel, axis: self.axes[index], spin, masses, z: along }
     }
 }
 
