@@ -1,4 +1,4 @@
-//! The report in a headless Chromium: it loads, nothing is logged, nothing sticks out sideways, it prints.
+//! The report in a headless Chromium: it loads, nothing is logged, nothing sticks out sideways, it prints sheets that tell whose they are.
 
 use crate::command::{exists, quiet};
 use crate::workspace::{root, scratch};
@@ -15,15 +15,16 @@ const BROWSERS: usize = 3;
 
 /// Opens the reports of all examples.
 pub fn check_reports(program: &Path) -> Result<String> {
-    let chromium = chromium()?;
+    let (chromium, pdftotext) = (chromium()?, installed(&["pdftotext"], "poppler-utils")?);
     let examples = crate::engines::examples()?;
     let lanes: Vec<Result<()>> = std::thread::scope(|scope| {
         let lanes: Vec<_> = (0..BROWSERS)
             .map(|lane| {
-                let (chromium, own) = (&chromium, examples.iter().skip(lane).step_by(BROWSERS));
+                let own = examples.iter().skip(lane).step_by(BROWSERS);
+                let programs = Programs { lanchester: program, chromium: &chromium, pdftotext: &pdftotext };
                 scope.spawn(move || -> Result<()> {
                     let folder = scratch(&format!("browser-{lane}"))?;
-                    own.into_iter().try_for_each(|example| check_report(program, chromium, &folder, example))
+                    own.into_iter().try_for_each(|example| check_report(&programs, &folder, example))
                 })
             })
             .collect();
@@ -36,14 +37,22 @@ pub fn check_reports(program: &Path) -> Result<String> {
     Ok(format!("{} reports at {WIDTHS:?} px and as PDF", examples.len()))
 }
 
-fn check_report(program: &Path, chromium: &Path, folder: &Path, example: &Path) -> Result<()> {
+/// What a report is made and looked at with.
+struct Programs<'a> {
+    lanchester: &'a Path,
+    chromium: &'a Path,
+    pdftotext: &'a Path,
+}
+
+fn check_report(programs: &Programs<'_>, folder: &Path, example: &Path) -> Result<()> {
     let name = example.file_stem().unwrap_or_default().to_string_lossy().into_owned();
     let report = folder.join(format!("{name}.html"));
-    quiet(Command::new(program).arg("report").arg(example).arg("--output").arg(&report).current_dir(root()))?;
+    quiet(Command::new(programs.lanchester).arg("report").arg(example).arg("--output").arg(&report).current_dir(root()))?;
     for width in WIDTHS {
-        check_width(chromium, folder, &report, width).with_context(|| format!("{name} at {width} px"))?;
+        check_width(programs.chromium, folder, &report, width).with_context(|| format!("{name} at {width} px"))?;
     }
-    check_print(chromium, folder, &report).with_context(|| format!("{name} on paper"))
+    let file = example.file_name().unwrap_or_default().to_string_lossy();
+    check_print(programs, folder, &report, &file).with_context(|| format!("{name} on paper"))
 }
 
 /// Loads the report in a frame of the given width, where a probe at its end tells its parent what it measures.
@@ -85,13 +94,30 @@ fn check_width(chromium: &Path, folder: &Path, report: &Path, width: u32) -> Res
     Ok(())
 }
 
-fn check_print(chromium: &Path, folder: &Path, report: &Path) -> Result<()> {
+fn check_print(programs: &Programs<'_>, folder: &Path, report: &Path, file: &str) -> Result<()> {
     let pdf = folder.join("report.pdf");
-    let mut command = headless(chromium, folder);
+    let mut command = headless(programs.chromium, folder);
+    // Sheets have margins of their own, with their numbers.
+    command.arg("--no-pdf-header-footer");
     quiet(command.arg(format!("--print-to-pdf={}", pdf.display())).arg(address(report)))?;
     let bytes = std::fs::read(&pdf).context("nothing was printed")?;
     ensure!(bytes.starts_with(b"%PDF") && bytes.len() > 10_000, "the printed file is no PDF or empty");
+    let text = quiet(Command::new(programs.pdftotext).arg("-layout").arg(&pdf).arg("-"))?;
+    check_sheets(&text, file)?;
     std::fs::remove_file(&pdf)?;
+    Ok(())
+}
+
+/// Every sheet names the engine file and its own number among all, and none holds its margins alone.
+fn check_sheets(text: &str, file: &str) -> Result<()> {
+    let sheets: Vec<&str> = text.trim_end_matches('\u{c}').split('\u{c}').collect();
+    for (place, sheet) in sheets.iter().enumerate() {
+        let number = format!("{} of {}", place + 1, sheets.len());
+        ensure!(sheet.contains(&number), "a sheet does not say that it is {number}");
+        ensure!(sheet.contains(file), "sheet {number} does not name {file}");
+        let lines = sheet.lines().filter(|line| !line.trim().is_empty()).count();
+        ensure!(lines > 4, "sheet {number} is empty but for its margins");
+    }
     Ok(())
 }
 
@@ -121,25 +147,45 @@ fn address(page: &Path) -> String {
 
 /// A Chromium on the path, installed from the distribution where it is missing and we may.
 pub fn chromium() -> Result<PathBuf> {
-    if let Some(name) = NAMES.iter().find(|name| exists(name)) {
+    installed(&NAMES, "chromium")
+}
+
+/// The first of these programs on the path, installed with its package of the distribution where all are missing and we may.
+fn installed(names: &[&str], package: &str) -> Result<PathBuf> {
+    if let Some(name) = names.iter().find(|name| exists(name)) {
         return Ok(name.into());
     }
     if !(is_root() && exists("apt-get")) {
         bail!(
-            "no Chromium found ({}): install it, for example `sudo apt-get install chromium`, and run again",
-            NAMES.join(", ")
+            "no {package} found ({}): install it, for example `sudo apt-get install {package}`, and run again",
+            names.join(", ")
         );
     }
-    println!("   chromium is missing: installing it");
+    println!("   {package} is missing: installing it");
     quiet(Command::new("apt-get").arg("update"))?;
-    quiet(
-        Command::new("apt-get")
-            .args(["install", "--yes", "chromium"])
-            .env("DEBIAN_FRONTEND", "noninteractive"),
-    )?;
-    Ok("chromium".into())
+    let mut install = Command::new("apt-get");
+    quiet(install.args(["install", "--yes", package]).env("DEBIAN_FRONTEND", "noninteractive"))?;
+    names.iter().find(|name| exists(name)).map(PathBuf::from).with_context(|| {
+        format!("the package {package} is installed and brings none of {}", names.join(", "))
+    })
 }
 
 fn is_root() -> bool {
     quiet(Command::new("id").arg("--user")).is_ok_and(|user| user.trim() == "0")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sheets_without_name_number_or_content_are_found() {
+        let sheet = |number: &str| format!("four   lanchester\na\nb\nc\nfour.toml   {number}\n\u{c}");
+        let whole = [sheet("1 of 2"), sheet("2 of 2")].concat();
+        assert!(check_sheets(&whole, "four.toml").is_ok());
+        assert!(check_sheets(&whole, "five.toml").is_err());
+        assert!(check_sheets(&sheet("1 of 2"), "four.toml").is_err());
+        let empty = "four   lanchester\nfour.toml   2 of 2\n\u{c}";
+        assert!(check_sheets(&(sheet("1 of 2") + empty), "four.toml").is_err());
+    }
 }

@@ -52,7 +52,8 @@ pub fn line(command: &Command) -> String {
     words.map(|word| word.to_string_lossy()).collect::<Vec<_>>().join(" ")
 }
 
-/// Whether a program of this name can be started.
+/// Whether a program of this name can be started: some know one word for their version, some the other.
 pub fn exists(program: &str) -> bool {
-    Command::new(program).arg("--version").output().is_ok_and(|output| output.status.success())
+    let says = |word| Command::new(program).arg(word).output().is_ok_and(|output| output.status.success());
+    says("--version") || says("-v")
 }

@@ -42,6 +42,7 @@ struct Page<'a> {
     figure_style: &'static str,
     engine: &'a Engine,
     provenance: &'a Provenance,
+    margins: Margins,
     warnings: &'a [String],
     speed: String,
     main_data: Vec<(&'static str, String)>,
@@ -50,6 +51,40 @@ struct Page<'a> {
     turning: &'static str,
     side: &'static str,
     frame: String,
+}
+
+/// What stands in the margins of every printed sheet, as strings of CSS.
+struct Margins {
+    engine: String,
+    program: String,
+    /// Engine file and its hash.
+    input: String,
+}
+
+impl Margins {
+    fn of(engine: &Engine, provenance: &Provenance) -> Margins {
+        let named = [&provenance.input, &provenance.input_hash];
+        let named: Vec<&str> = named.into_iter().map(String::as_str).filter(|text| !text.is_empty()).collect();
+        Margins {
+            engine: css_string(&engine.name),
+            program: css_string(&provenance.program),
+            input: css_string(&named.join(" · ")),
+        }
+    }
+}
+
+/// A text as a string of CSS: what would end it, or the style sheet, is written as its number.
+fn css_string(text: &str) -> String {
+    let mut out = String::from('"');
+    for letter in text.chars() {
+        match letter {
+            '"' | '\\' | '<' => out.push_str(&format!("\\{:x} ", u32::from(letter))),
+            _ if letter.is_control() => out.push(' '),
+            _ => out.push(letter),
+        }
+    }
+    out.push('"');
+    out
 }
 
 /// The report as one self-contained HTML page: head, the sections in their order, conventions and sources.
@@ -63,6 +98,7 @@ pub fn report(head: &ReportHead<'_>, sections: &[Section]) -> String {
         figure_style: STYLE,
         engine,
         provenance,
+        margins: Margins::of(engine, provenance),
         warnings,
         speed: number::short(number::rpm(speed), 4),
         main_data: main_data(engine, speed),

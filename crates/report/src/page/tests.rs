@@ -250,3 +250,9 @@ fn a_reverse_engine_with_far_shafts_and_mounts_is_drawn_mirrored() {
     assert_eq!(of(&straight, "side-view"), of(&mirrored, "side-view"));
     assert_eq!(of(&straight, "force-x-by-part"), of(&mirrored, "force-x-by-part"));
 }
+
+#[test]
+fn margins_of_sheets_hold_any_name() {
+    assert_eq!(css_string(r#"a "b" \ </style> ü"#), r#""a \22 b\22  \5c  \3c /style> ü""#);
+    assert_eq!(css_string("a\nb"), "\"a b\"");
+}
