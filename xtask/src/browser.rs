@@ -47,9 +47,17 @@ struct Programs<'a> {
 fn check_report(programs: &Programs<'_>, folder: &Path, example: &Path) -> Result<()> {
     let name = example.file_stem().unwrap_or_default().to_string_lossy().into_owned();
     let report = folder.join(format!("{name}.html"));
-    quiet(Command::new(programs.lanchester).arg("report").arg(example).arg("--output").arg(&report).current_dir(root()))?;
+    quiet(
+        Command::new(programs.lanchester)
+            .arg("report")
+            .arg(example)
+            .arg("--output")
+            .arg(&report)
+            .current_dir(root()),
+    )?;
     for width in WIDTHS {
-        check_width(programs.chromium, folder, &report, width).with_context(|| format!("{name} at {width} px"))?;
+        check_width(programs.chromium, folder, &report, width)
+            .with_context(|| format!("{name} at {width} px"))?;
     }
     let file = example.file_name().unwrap_or_default().to_string_lossy();
     check_print(programs, folder, &report, &file).with_context(|| format!("{name} on paper"))

@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 /// What wheel, tests and notebooks need from PyPI. The oldest versions that are known to do; numpy's types need 2.
-const PACKAGES: [&str; 17] = [
+const PACKAGES: [&str; 18] = [
     "maturin>=1.16,<2",
     "numpy>=2",
     "pytest>=9",
@@ -25,6 +25,7 @@ const PACKAGES: [&str; 17] = [
     "ipykernel>=6",
     "distributed>=2024.8",
     "pyuff>=2.4; python_version >= '3.11'",
+    "fmpy>=0.3.24",
     // What pyNastran needs but for NumPy.
     "scipy>=1.11",
     "cpylog>=1.4",
@@ -54,6 +55,19 @@ pub fn run(arguments: &[String]) -> Result<String> {
     let mut program = cargo();
     program.args(["build", "--release", "--workspace", "--bin", "lanchester"]);
     quiet(program.current_dir(root()))?;
+    // The binary of functional mock-up units, which FMPy loads; with the program it is built with the program's features.
+    let mut units = cargo();
+    units.args([
+        "build",
+        "--release",
+        "--package",
+        "lanchester-cli",
+        "--package",
+        "lanchester-fmu",
+        "--bins",
+        "--lib",
+    ]);
+    quiet(units.current_dir(root()))?;
     let program = target()?.join("release").join(format!("lanchester{}", std::env::consts::EXE_SUFFIX));
     let python = environment()?;
     let wheel = build(&python, dev)?;

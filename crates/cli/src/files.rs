@@ -126,9 +126,9 @@ pub fn write_result(
     })
 }
 
-/// Write an engine file that does not exist yet: a user's file is never overwritten.
-pub fn write_new(path: &Path, text: &str) -> Result<(), Failure> {
-    put(path, Over::Nothing, text.as_bytes()).map_err(|error| match error {
+/// Write a file that does not exist yet: a user's file is never overwritten.
+pub fn write_new(path: &Path, content: impl AsRef<[u8]>) -> Result<(), Failure> {
+    put(path, Over::Nothing, content.as_ref()).map_err(|error| match error {
         PutError::Exists => Failure::input(
             format_args!("{} exists and is not overwritten", shown(path)),
             "choose another name with --output, or remove it first",

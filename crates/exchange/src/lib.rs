@@ -1,6 +1,6 @@
 //! Loads and crank trains in the formats of other programs.
 //!
-//! Plain data in, text out: nothing here knows where forces come from or where the text goes. SI units throughout.
+//! Plain data in, text or bytes out: nothing here knows where forces come from or where the text goes. SI units throughout.
 //!
 //! ```
 //! use lanchester_exchange::{ForceTable, LoadedPoint, OrderForces, nastran};
@@ -19,11 +19,16 @@
 #![forbid(unsafe_code)]
 
 mod exudyn;
+mod fmu;
 mod force_table;
 mod nastran;
 mod universal;
 
 pub use exudyn::{RigidCylinder, RigidReference, RigidRotor, RigidTrain, exudyn};
+pub use fmu::{
+    FmiVersion, FmuDescription, FmuKind, FmuRole, FmuVariable, binaries_folder, fmu_archive,
+    model_description,
+};
 pub use force_table::{ForceTable, LoadedPoint, OrderForces};
 pub use nastran::nastran;
 pub use universal::universal;

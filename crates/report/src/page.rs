@@ -64,7 +64,8 @@ struct Margins {
 impl Margins {
     fn of(engine: &Engine, provenance: &Provenance) -> Margins {
         let named = [&provenance.input, &provenance.input_hash];
-        let named: Vec<&str> = named.into_iter().map(String::as_str).filter(|text| !text.is_empty()).collect();
+        let named: Vec<&str> =
+            named.into_iter().map(String::as_str).filter(|text| !text.is_empty()).collect();
         Margins {
             engine: css_string(&engine.name),
             program: css_string(&provenance.program),

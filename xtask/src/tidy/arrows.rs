@@ -4,7 +4,7 @@ use serde_json::Value;
 
 /// Each crate and the workspace crates that it may name as normal dependencies. A crate that is not here may not
 /// exist: a new room needs a decision record and a line.
-const ARROWS: [(&str, &[&str]); 33] = [
+const ARROWS: [(&str, &[&str]); 34] = [
     ("lanchester-numerics", &[]),
     ("lanchester-shape", &["lanchester-numerics"]),
     ("lanchester-units", &[]),
@@ -78,6 +78,7 @@ const ARROWS: [(&str, &[&str]); 33] = [
     ),
     ("lanchester-multibody", &["lanchester-model", "lanchester-results", "lanchester-numerics"]),
     ("lanchester-film", &["lanchester-numerics"]),
+    ("lanchester-fmu", &["lanchester"]),
     (
         "lanchester-flex",
         &[

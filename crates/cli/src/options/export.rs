@@ -32,6 +32,37 @@ pub enum ExportCommand {
         after_help = "Examples:\n  lanchester export exudyn four.toml --output four.py && pip install exudyn && python four.py"
     )]
     Exudyn(ScriptArguments),
+    /// The loads as a functional mock-up unit (FMI 2.0 or 3.0, co-simulation) for Simulink, Modelica tools, FMPy and others.
+    #[command(after_help = "Examples:\n  lanchester export fmu four.toml --output four.fmu\n  \
+                            lanchester export fmu four.toml --fmi 3 --output four.fmu\n\n\
+                            Inputs: speed [rad/s], held over a step, and gas on or off. Outputs: crank angle, shaking force, couple, roll moment, \
+                            torque, and the forces on the mounts that the file gives, all as at that speed for good. The unit holds the engine file \
+                            and a binary for this platform.")]
+    Fmu(UnitArguments),
+}
+
+/// Which model `export fmu` writes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum UnitModel {
+    /// The loads of the closed form at a speed that is given.
+    Loads,
+}
+
+/// `export fmu`
+#[derive(Debug, Args)]
+pub struct UnitArguments {
+    /// Engine file; `-` reads standard input.
+    #[arg(value_name = "FILE")]
+    pub file: PathBuf,
+    /// What the unit computes.
+    #[arg(long, value_enum, default_value_t = UnitModel::Loads)]
+    pub model: UnitModel,
+    /// Version of the standard: 2, which nearly every program reads, or 3.
+    #[arg(long, value_name = "VERSION", default_value_t = 2, value_parser = clap::value_parser!(u8).range(2..=3))]
+    pub fmi: u8,
+    /// The unit, `.fmu`; never overwrites.
+    #[arg(long, short, value_name = "FILE")]
+    pub output: PathBuf,
 }
 
 /// `export nastran`, `export universal`

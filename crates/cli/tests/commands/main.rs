@@ -9,6 +9,7 @@ mod counterweight;
 mod engine;
 mod exit_status;
 mod explore;
+mod export_unit;
 mod flexible;
 mod long_runs;
 mod mounts;

@@ -1,5 +1,7 @@
 //! `lanchester export`: loads for other programs.
 
+mod fmu;
+
 use crate::commands::open;
 use crate::failure::{DONE, Failure};
 use crate::files::{print, tell, write_new};
@@ -20,6 +22,7 @@ pub fn run(arguments: &ExportArguments, colour: bool) -> Result<u8, Failure> {
         ExportCommand::Universal(own) => put(&own.output, &universal(&forces(own, colour)?)),
         ExportCommand::History(own) => history(own, colour),
         ExportCommand::Exudyn(own) => script(own, colour),
+        ExportCommand::Fmu(own) => fmu::run(own, colour),
     }?;
     Ok(DONE)
 }

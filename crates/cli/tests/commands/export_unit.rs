@@ -1,0 +1,45 @@
+//! `export fmu`: the archive, and what is said where its binary is missing. That units run is tested with FMPy beside the Python package.
+
+use crate::program::{examples, folder};
+use std::env::consts::{DLL_PREFIX, DLL_SUFFIX, EXE_SUFFIX};
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output};
+
+/// Runs a copy of the program that stands in `folder`.
+fn copied(folder: &Path, arguments: &[&str]) -> Output {
+    let program = folder.join(format!("lanchester{EXE_SUFFIX}"));
+    if !program.exists() {
+        fs::copy(env!("CARGO_BIN_EXE_lanchester"), &program).unwrap();
+    }
+    Command::new(&program).args(arguments).current_dir(folder).output().unwrap()
+}
+
+#[test]
+fn units_hold_description_binary_and_engine_file() {
+    let folder = folder("export-unit");
+    let engine = examples().join("v6-60.toml").display().to_string();
+    let said = copied(&folder, &["export", "fmu", &engine, "--output", "v6.fmu"]);
+    let told = String::from_utf8(said.stderr).unwrap();
+    assert_eq!(said.status.code(), Some(2), "{told}");
+    assert!(told.contains("binary for units is missing") && told.contains("hint: build it with"), "{told}");
+    assert!(!folder.join("v6.fmu").exists());
+    fs::write(folder.join(format!("{DLL_PREFIX}lanchester_fmu{DLL_SUFFIX}")), "a library").unwrap();
+    for (version, binary) in [("2", "binaries/linux64/"), ("3", "binaries/x86_64-linux/")] {
+        let unit = format!("{version}.fmu");
+        let said = copied(&folder, &["export", "fmu", &engine, "--fmi", version, "--output", &unit]);
+        assert!(said.status.success(), "{said:?}");
+        let bytes = fs::read(folder.join(&unit)).unwrap();
+        let text = String::from_utf8_lossy(&bytes);
+        let mut names = vec!["modelDescription.xml", "resources/engine.toml"];
+        if cfg!(all(target_os = "linux", target_arch = "x86_64")) {
+            names.push(binary);
+        }
+        for name in names {
+            assert!(text.contains(name), "{name}");
+        }
+        let again = copied(&folder, &["export", "fmu", &engine, "--fmi", version, "--output", &unit]);
+        assert_eq!(again.status.code(), Some(2), "a file is never overwritten");
+        assert_eq!(fs::read(folder.join(&unit)).unwrap(), bytes);
+    }
+}
