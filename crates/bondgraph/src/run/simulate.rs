@@ -29,6 +29,9 @@ const GROWN: f64 = 1e6;
 /// Evaluations of the pass that measures sizes.
 const ROUGH: u64 = 6000;
 
+/// What stays below this share of the largest of its unit is rounding: what symmetry keeps at zero, say.
+const ROUNDING: f64 = 1e-12;
+
 /// How a simulation is run.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SimulationRequest {
@@ -152,7 +155,8 @@ impl Equations {
         let sizes = |compiled: &mut Compiled, most_evaluations: u64| -> (bool, Vec<f64>) {
             let tolerance = 1e-5f64.max(request.tolerance);
             let rough = SimulationRequest { tolerance, most_evaluations, ..*request };
-            let pass = self.pass(compiled, &rough, &[request.duration], &vec![1e-12; dimension]);
+            let mut pass = self.pass(compiled, &rough, &[request.duration], &vec![1e-12; dimension]);
+            self.measure_rounding(&mut pass.largest);
             (pass.complete, pass.largest)
         };
         let share = |size: &f64| (0.01 * request.tolerance * size).max(1e-200);
@@ -186,6 +190,26 @@ impl Equations {
             audit,
             statistics: pass.statistics,
             operations: compiled.operations(),
+        }
+    }
+
+    /// Gives what is nothing but rounding the size of the largest of its unit: a share of its own size would make steps follow noise.
+    /// Audited energies stand behind the states.
+    fn measure_rounding(&self, largest: &mut [f64]) {
+        let units: Vec<Option<&str>> = (0..largest.len())
+            .map(|index| self.states.get(index).map(|state| state.unit_name.as_str()))
+            .collect();
+        let of_unit: Vec<f64> = units
+            .iter()
+            .map(|unit| {
+                let own = units.iter().zip(largest.iter()).filter(|(other, _)| *other == unit);
+                own.fold(0.0f64, |most, (_, size)| most.max(*size))
+            })
+            .collect();
+        for (size, most) in largest.iter_mut().zip(of_unit) {
+            if *size > 0.0 && *size < ROUNDING * most {
+                *size = most;
+            }
         }
     }
 

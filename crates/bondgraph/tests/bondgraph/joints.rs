@@ -213,3 +213,28 @@ fn a_body_without_mass_is_refused() {
         refused(&single(), CompliantJoints { damping_ratio: f64::NAN, ..CompliantJoints::default() });
     assert!(message.contains("damping ratio"), "{message}");
 }
+
+/// An in-line six about the middle of its block: nothing tilts it but rounding, which must not be followed.
+#[test]
+fn what_symmetry_keeps_at_zero_costs_no_steps() {
+    const BLOCK: &str = "[block]\nmass = \"90 kg\"\ncentre = [\"60 mm\", \"0 mm\", \"0 mm\"]\n\
+                         inertia = [\"5 kg m2\", \"4.5 kg m2\", \"2.2 kg m2\"]\n";
+    for name in ["in-line-4", "in-line-6", "boxer-6"] {
+        let text = template(name).expect("it is in the gallery").text.to_owned() + BLOCK;
+        let engine = engine(&text);
+        let steps = |block: EngineBlock| {
+            let request = EngineRequest {
+                block,
+                crankshaft_inertia: vec![0.09],
+                samples: 60,
+                ..EngineRequest::free(150.0, 0.1)
+            };
+            run(&found(&engine, &request), 1e-10).statistics
+        };
+        let (plane, space) = (steps(EngineBlock::Plane), steps(EngineBlock::Space));
+        assert!(
+            space.evaluations < plane.evaluations + plane.evaluations / 4,
+            "{space:?} steps in space, {plane:?} in the plane"
+        );
+    }
+}
