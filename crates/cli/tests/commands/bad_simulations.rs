@@ -77,7 +77,7 @@ const ROWS: &[Row] = &[
         change: &[],
         arguments: &["simulate", "--start", "soon"],
         status: 2,
-        words: &["--start takes a crank angle", "hint:"],
+        words: &["--start: a start is a crank angle", "hint:"],
     },
     Row {
         name: "teeth of a shaft that is not there",
