@@ -146,7 +146,7 @@ fn request(arguments: &SimulateArguments) -> Result<SimulateRequest, Failure> {
         .as_deref()
         .map_or(Ok(StartOfRun::default()), start_from_words)
         .map_err(|(message, hint)| Failure::input(format_args!("--start: {message}"), hint))?;
-    let speed = arguments.speed.as_deref().map(|text| option::speed(text, "--speed")).transpose()?;
+    let speed = arguments.speed.as_deref().map(|text| option::start_speed(text, "--speed")).transpose()?;
     if speed.is_some() && start.speed.is_some() {
         return Err(Failure::input(
             "--speed and --start both give the speed at the start",

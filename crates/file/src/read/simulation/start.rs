@@ -23,6 +23,7 @@ pub struct StartOfRun {
 /// ```
 /// let start = lanchester_file::start_from_words("90 deg, 800 rpm").unwrap();
 /// assert!((start.angle.unwrap() - std::f64::consts::FRAC_PI_2).abs() < 1e-15 && start.block.is_none());
+/// assert_eq!(lanchester_file::start_from_words("0 rpm").unwrap().speed, Some(0.0));
 /// assert!(lanchester_file::start_from_words("90 deg, 45 deg").is_err());
 /// ```
 pub fn start_from_words(text: &str) -> Result<StartOfRun, (String, String)> {
@@ -31,7 +32,7 @@ pub fn start_from_words(text: &str) -> Result<StartOfRun, (String, String)> {
         let twice = match part {
             "equilibrium" => start.block.replace(StartOfBlock::Equilibrium).is_some(),
             "as drawn" => start.block.replace(StartOfBlock::AsDrawn).is_some(),
-            _ => match (option::speed(part, "start"), option::angle(part, "start")) {
+            _ => match (option::start_speed(part, "start"), option::angle(part, "start")) {
                 (Ok(speed), _) => start.speed.replace(speed).is_some(),
                 (_, Ok(angle)) => start.angle.replace(angle).is_some(),
                 _ => {
