@@ -51,6 +51,7 @@ pub use engine_file::EngineFile;
 pub use expanded::expanded;
 pub use lanchester_diagnostic::{Diagnostic, Related, Severity, render};
 pub use read::simulation::event::event_from_words;
+pub use read::simulation::start::{StartOfRun, start_from_words};
 pub use read::{Reading, read};
 pub use schema::{
     KeyInfo, KeyTable, json_schema, key_tables, reference_markdown, sheet_reference_markdown, sheet_schema,

@@ -19,7 +19,7 @@ use crate::symmetric::{self, MOST, Matrix};
 use crate::train::Train;
 pub(crate) use governor::governor_now;
 pub(crate) use history::History;
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 use std::cell::RefCell;
 use std::rc::Rc;
 pub(crate) use works::*;
@@ -160,13 +160,9 @@ pub(crate) struct Powered<'a> {
 }
 
 /// What block and crank have without a driveline.
-#[expect(
-    clippy::large_enum_variant,
-    reason = "one of them is on the stack during an evaluation: a box would cost more"
-)]
 enum Own {
-    /// Their equations, and the forces on the seven speeds.
-    Block(Equations, [f64; 7]),
+    /// Forces on the seven speeds; their equations are at hand.
+    Block([f64; 7]),
     /// Inertia and torque of the crank in a block at rest.
     Crank { inertia: f64, torque: f64 },
 }
@@ -212,7 +208,12 @@ impl<'a> Powered<'a> {
 
     /// What every mount does without its branches.
     pub fn mounts(&self, motion: &Motion) -> impl Iterator<Item = MountNow> + '_ {
-        let rotation = motion.rotation();
+        self.mounts_turned(motion, motion.rotation())
+    }
+
+    /// The same with the turn of the block.
+    #[inline]
+    fn mounts_turned(&self, motion: &Motion, rotation: Matrix3<f64>) -> impl Iterator<Item = MountNow> + '_ {
         let position = motion.position;
         let (velocity, spin) = (rotation * motion.velocity, rotation * motion.spin);
         let mounts = if self.on_mounts() { &self.train.mounts[..] } else { &[] };
@@ -349,11 +350,11 @@ impl<'a> Powered<'a> {
         }
 
         let mut damped = 0.0;
+        let rotation = if layout.moving { motion.rotation() } else { Matrix3::identity() };
         let own = if layout.moving {
-            let rotation = motion.rotation();
             let (mut force, mut moment) = (Vector3::zeros(), Vector3::zeros());
             if self.on_mounts() {
-                for mount in self.mounts(&motion) {
+                for mount in self.mounts_turned(&motion, rotation) {
                     force += mount.force;
                     moment += mount.arm.cross(&mount.force);
                     damped -= mount.lost;
@@ -367,7 +368,7 @@ impl<'a> Powered<'a> {
                     }
                 }
             }
-            let equations = self.train.equations(&motion, &places);
+            self.equations = Some(self.train.equations(&motion, &places));
             let loads = Loads {
                 gas: &self.forces,
                 gravity: rotation.tr_mul(&self.gravity()),
@@ -377,9 +378,10 @@ impl<'a> Powered<'a> {
                 outer_torque: outer,
                 inner_torque: inner,
             };
-            let forces = self.train.generalised_forces(&equations, &places, speed, &loads);
-            self.equations = Some(equations);
-            Own::Block(equations, forces)
+            let equations = self.equations.as_ref();
+            Own::Block(equations.map_or([f64::NAN; 7], |equations| {
+                self.train.generalised_forces(equations, &places, speed, &loads)
+            }))
         } else {
             let CrankInertia { inertia, bias } = self.train.crank_inertia(&places);
             let weight = if simulation.gravity == 0.0 { 0.0 } else { self.weight_torque(theta, &places) };
@@ -424,7 +426,7 @@ impl<'a> Powered<'a> {
         if layout.moving {
             seven[..6].copy_from_slice(&rhs[..6]);
             let at = layout.pose();
-            let velocity = motion.rotation() * motion.velocity;
+            let velocity = rotation * motion.velocity;
             rates[at..at + 3].copy_from_slice(velocity.as_slice());
             rates[at + 3..at + 7].copy_from_slice(&motion.orientation_rate());
             rates[at + 7..at + 13].copy_from_slice(&rhs[..6]);
@@ -469,7 +471,8 @@ impl<'a> Powered<'a> {
         let mut matrix: Matrix<N> = [[0.0; N]; N];
         let mut rhs = [0.0; N];
         match own {
-            Own::Block(equations, forces) => {
+            Own::Block(forces) => {
+                let equations = self.equations.as_ref()?;
                 for i in 0..7 {
                     matrix[i][..7].copy_from_slice(&equations.mass[i]);
                     rhs[i] = forces[i] - equations.bias[i];
@@ -577,10 +580,11 @@ impl<'a> Powered<'a> {
         let layout = self.layout;
         let motion = self.motion(theta, state);
         let gravity = self.gravity();
+        let rotation = if layout.moving { motion.rotation() } else { Matrix3::identity() };
         let (mut kinetic, lift) = match &self.equations {
             Some(equations) if layout.moving => {
                 let first = Vector3::new(equations.mass[1][5], equations.mass[2][3], equations.mass[0][4]);
-                let centre = equations.mass[0][0] * motion.position + motion.rotation() * first;
+                let centre = equations.mass[0][0] * motion.position + rotation * first;
                 (equations.kinetic_energy(&motion.speeds()), -gravity.dot(&centre))
             }
             _ => {
@@ -593,7 +597,7 @@ impl<'a> Powered<'a> {
         };
         let mut sprung = 0.0;
         if self.on_mounts() {
-            for (mount, now) in self.train.mounts.iter().zip(self.mounts(&motion)) {
+            for (mount, now) in self.train.mounts.iter().zip(self.mounts_turned(&motion, rotation)) {
                 sprung += mount.energy(now.displacement);
             }
             if layout.branches > 0 {

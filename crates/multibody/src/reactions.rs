@@ -11,6 +11,7 @@
 //! lack them.
 
 use crate::block_body::in_plane;
+use crate::main_loads::MainLoads;
 use crate::motion::Motion;
 use crate::place::Place;
 use crate::rotor_shares::{RotorShares, ShaftLoad};
@@ -75,7 +76,8 @@ pub struct RotorReactions {
     /// bearings carry it.
     pub gear_force: [f64; 3],
     /// Journals on the main bearings by rule ([`crate::MainRule::ALL`]), then by main: `x`, `y` [N]; empty without two mains.
-    pub mains: [Vec<[f64; 2]>; 3],
+    #[schemars(with = "[Vec<[f64; 2]>; 3]")]
+    pub mains: MainLoads,
 }
 
 /// Loads of all joints at one instant.
@@ -175,7 +177,6 @@ pub(crate) struct Scratch {
     loads: Vec<ShaftLoad>,
     /// Forces on crankshaft 1 by teeth, with their planes.
     teeth: Vec<(Vector3<f64>, f64)>,
-    sums: Vec<[f64; 2]>,
 }
 
 /// What a rod hands on.
@@ -374,7 +375,7 @@ impl Train {
         let rotor = &self.rotors[index];
         let (z, w) = (Vector3::z(), carrier.speed);
         let turn = Complex64::cis(rotor.ratio * instant.motion.theta);
-        let Scratch { handed, loads, teeth, sums } = scratch;
+        let Scratch { handed, loads, teeth } = scratch;
         loads.clear();
         // Unbalances a + i b turn together: what they exert is linear in a and b, and in the planes that they are in.
         let directions = [turn, turn * Complex64::I].map(|unit| in_plane(unit, 0.0));
@@ -431,7 +432,7 @@ impl Train {
                 loads.push(ShaftLoad { force: *own, couple: zero });
             }
         }
-        let mains = shares.map_or_else(Default::default, |shares| shares.carried(loads, sums));
+        let mains = shares.map_or_else(Default::default, |shares| shares.carried(loads));
         let bearings = Wrench::of(force, moment);
         (RotorReactions { bearings, gear_torque: 0.0, gear_force: gear_force.into(), mains }, torque)
     }

@@ -1,5 +1,6 @@
 //! Shares of the main bearings of one rotor, tabulated: every load of a rotor acts in a plane that never changes.
 
+use crate::main_loads::MainLoads;
 use crate::main_rules::{MainRule, MainShares};
 use crate::train::{LowerPin, Train, Unbalance};
 use nalgebra::Vector3;
@@ -24,23 +25,27 @@ pub struct RotorShares {
 }
 
 impl RotorShares {
-    /// Journals on the mains under `loads`, by rule and main; empty without two mains. `sums`: room from before.
-    pub(crate) fn carried(&self, loads: &[ShaftLoad], sums: &mut Vec<[f64; 2]>) -> [Vec<[f64; 2]>; 3] {
+    /// Journals on the mains under `loads`; empty without two mains.
+    pub(crate) fn carried(&self, loads: &[ShaftLoad]) -> MainLoads {
         if self.mains == 0 {
-            return Default::default();
+            return MainLoads::default();
         }
-        debug_assert!(loads.len() * 3 * self.mains == self.table.len(), "a load for every row");
-        sums.clear();
-        sums.resize(3 * self.mains, [0.0; 2]);
-        for (load, row) in loads.iter().zip(self.table.chunks_exact(3 * self.mains)) {
+        let count = 3 * self.mains;
+        debug_assert!(loads.len() * count == self.table.len(), "a load for every row");
+        let mut sums = vec![[0.0; 2]; count];
+        for (load, row) in loads.iter().zip(self.table.chunks_exact(count)) {
             let (force, couple) = (load.force, load.couple);
+            if [force.x, force.y, couple.x, couple.y] == [0.0; 4] {
+                // In a block at rest the gyroscopic couple and those of the planes.
+                continue;
+            }
             for (sum, [share, slope]) in sums.iter_mut().zip(row) {
                 // A couple is a pair of forces: -i C times the slope.
                 sum[0] += share * force.x + slope * couple.y;
                 sum[1] += share * force.y - slope * couple.x;
             }
         }
-        [0, 1, 2].map(|rule| sums[rule * self.mains..(rule + 1) * self.mains].to_vec())
+        MainLoads::new(sums)
     }
 }
 

@@ -47,6 +47,9 @@ const ANY_TIME: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
 /// Revolutions of one piece over the angle, and steps over the dead time, with a governor that has one.
 const WITH_DELAY: [f64; 2] = [2.0 * TAU, 0.9];
 
+/// Most samples of a piece for which room is made beforehand.
+const MOST_RESERVED: usize = 16_384;
+
 /// Most pieces of a run: events, halts and kinks at low speed.
 const MOST_PIECES: usize = 1_000_000;
 
@@ -416,6 +419,9 @@ impl<'a> Runner<'a> {
         // The commands of a governor with a dead time are kept at every step.
         settings.samples = delay.is_none().then_some(SampleGrid { origin, spacing: grid });
         let mut integrator = Dop853::new(settings);
+        if over_angle {
+            kept.reserve((((end - from) / grid) as usize + 2).min(MOST_RESERVED));
+        }
 
         let mut y = self.state.clone();
         let mut x = from;

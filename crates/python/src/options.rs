@@ -70,7 +70,7 @@ impl<'py> Options<'py> {
 
     /// A speed that may be 0 [rad/s].
     pub fn start_speed(&self, name: &str) -> Result<Option<f64>, Failure> {
-        match self.of(name, "a speed", "rad/s", option::speed)? {
+        match self.of(name, "a speed", "rad/s", option::start_speed)? {
             Some(speed) if speed < 0.0 => Err(Failure::option(
                 format_args!("`{name}` needs a speed of 0 or more, got {speed} rad/s"),
                 "`rotation = \"reverse\"` in the engine file turns the crank the other way",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import inspect
+import math
 import signal
 import subprocess
 import sys
@@ -162,3 +163,25 @@ def test_every_docstring_has_an_example() -> None:
     without = [name for name, own in public() if ">>>" not in (own.__doc__ or "")]
     assert not without, without
     assert len(public()) > 50
+
+
+@pytest.mark.parametrize(
+    ("given", "words"),
+    [
+        ({"start": "soon"}, "a start is a crank angle"),
+        ({"start": "90 deg, 800 rpm", "speed": "900 rpm"}, "both say the same"),
+        ({"start": "90 deg", "start_angle": 0.1}, "both say the same"),
+        ({"events": "stop"}, "a moment and what happens"),
+        ({"events": ["1 s: misfire 9"]}, "no cylinder 9"),
+        ({"points": [(0.0, 0.1)]}, "three coordinates"),
+    ],
+)
+def test_a_run_refuses_what_it_cannot_read(given: dict[str, Any], words: str) -> None:
+    with pytest.raises(RequestError, match=words):
+        Engine.template("single").simulate(**given)
+
+
+def test_a_run_starts_where_it_is_told_and_ends_at_its_event() -> None:
+    run = Engine.template("single").simulate(start="90 deg, 1200 rpm", events=["540 deg: stop"], imposed=True, gas=False).run
+    assert run.outcome.kind == "stopped"
+    assert abs(run.samples.theta[0] - math.pi / 2) < 1e-12 and abs(run.samples.theta[-1] - math.pi / 2 - 3 * math.pi) < 1e-9

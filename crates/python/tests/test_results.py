@@ -121,6 +121,11 @@ COMMANDS: list[tuple[str, list[str], Any]] = [
     ("in-line-4-production.toml", ["scatter", "--samples", "3000"], lambda engine: engine.scatter(samples=3000)),
     ("in-line-4.toml", ["sensitivity"], lambda engine: engine.sensitivity()),
     ("in-line-4.toml", ["crosscheck", "--condition", "a"], lambda engine: engine.crosscheck(condition="a")),
+    (
+        "generator-set-3.toml",
+        ["simulate", "--imposed", "--inertia-only", "--start", "90 deg, 1200 rpm, as drawn", "--event", "540 deg: stop", "--point", "0.35 m, 0 m, 0.1 m"],
+        lambda engine: engine.simulate(imposed=True, gas=False, start="90 deg, 1200 rpm, as drawn", events="540 deg: stop", points=[(0.35, 0, "100 mm")]),
+    ),
     ("v6-60.toml", ["explore", "--even-firing"], lambda engine: engine.explore(even_firing=True)),
 ]
 

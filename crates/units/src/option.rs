@@ -26,6 +26,14 @@ pub fn speed(text: &str, option: &str) -> Result<f64, BadQuantity> {
     of_dimension(text, Dimension::Speed, Bound::Positive, option)
 }
 
+/// A speed from which something starts, with its unit: 0 is standstill [rad/s]; `option` names what asks for it in the message.
+///
+/// # Errors
+/// [`BadQuantity`] if the text is no number with a unit of speed, or outside the accepted range, 0 or more.
+pub fn start_speed(text: &str, option: &str) -> Result<f64, BadQuantity> {
+    of_dimension(text, Dimension::Speed, Bound::NotNegative, option)
+}
+
 /// A length with its unit, such as "-120 mm" [m]; `option` names what asks for it in the message.
 ///
 /// # Errors
@@ -182,6 +190,8 @@ mod tests {
             let refused = speed(text, "--speed").unwrap_err();
             assert!(refused.message.contains("--speed") && !refused.hint.is_empty(), "{refused:?}");
         }
+        assert_eq!(start_speed("0 rpm", "--start"), Ok(0.0));
+        assert!(start_speed("-5 rpm", "--start").is_err());
         assert!(mass("-1 kg", "--oil").is_err() && share("-0.5", "--share").is_err());
         assert!(inertia("-1 kg m2", "--inertia").is_err() && length("1e20 m", "--about").is_err());
         let refused = speed("60 mm", "--speed").unwrap_err();

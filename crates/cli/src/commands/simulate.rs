@@ -8,8 +8,8 @@ use crate::options::simulation::{BlockOption, SimulateArguments, SimulationForma
 use crate::requests::loads::point;
 use crate::simulation_watch::GoesOn;
 use crate::trace_files::trace_files;
-use lanchester::file::event_from_words;
-use lanchester::model::{NamedPoint, StartOfBlock};
+use lanchester::file::{StartOfRun, event_from_words, start_from_words};
+use lanchester::model::NamedPoint;
 use lanchester::multibody::{LoadLaw, ReactsOn, RunOutcome};
 use lanchester::report::{
     SimulationColumns, SimulationResult, simulation_energy_columns, simulation_events_columns,
@@ -141,8 +141,12 @@ fn request(arguments: &SimulateArguments) -> Result<SimulateRequest, Failure> {
         (Some(_), _) => Some(RunLength::Periodic),
         (None, text) => text.as_deref().map(length).transpose()?,
     };
-    let start = arguments.start.as_deref().map_or(Ok(Start::default()), start)?;
-    let speed = arguments.speed.as_deref().map(|text| option::speed(text, "--speed")).transpose()?;
+    let start = arguments
+        .start
+        .as_deref()
+        .map_or(Ok(StartOfRun::default()), start_from_words)
+        .map_err(|(message, hint)| Failure::input(format_args!("--start: {message}"), hint))?;
+    let speed = arguments.speed.as_deref().map(|text| option::start_speed(text, "--speed")).transpose()?;
     if speed.is_some() && start.speed.is_some() {
         return Err(Failure::input(
             "--speed and --start both give the speed at the start",
@@ -171,44 +175,6 @@ fn request(arguments: &SimulateArguments) -> Result<SimulateRequest, Failure> {
         tolerance: arguments.tolerance,
         long: arguments.long,
     })
-}
-
-/// What `--start` says.
-#[derive(Default)]
-struct Start {
-    angle: Option<f64>,
-    speed: Option<f64>,
-    block: Option<StartOfBlock>,
-}
-
-/// `90 deg, 800 rpm, as drawn`: each part at most once.
-fn start(text: &str) -> Result<Start, Failure> {
-    let mut start = Start::default();
-    for part in text.split([',', '/']).map(str::trim) {
-        let twice = match part {
-            "equilibrium" => start.block.replace(StartOfBlock::Equilibrium).is_some(),
-            "as drawn" => start.block.replace(StartOfBlock::AsDrawn).is_some(),
-            _ => match (option::speed(part, "--start"), option::angle(part, "--start")) {
-                (Ok(speed), _) => start.speed.replace(speed).is_some(),
-                (_, Ok(angle)) => start.angle.replace(angle).is_some(),
-                _ => {
-                    return Err(Failure::input(
-                        format_args!(
-                            "--start takes a crank angle, a speed of 0 or more, `equilibrium` and `as drawn`, got `{part}`"
-                        ),
-                        "write it like --start \"90 deg, 800 rpm\"",
-                    ));
-                }
-            },
-        };
-        if twice {
-            return Err(Failure::input(
-                format_args!("--start says one thing twice: `{text}`"),
-                "give one angle, one speed and one place of the block",
-            ));
-        }
-    }
-    Ok(start)
 }
 
 /// `10 revolutions` or `2 s`.

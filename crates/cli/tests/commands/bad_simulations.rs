@@ -77,7 +77,15 @@ const ROWS: &[Row] = &[
         change: &[],
         arguments: &["simulate", "--start", "soon"],
         status: 2,
-        words: &["--start takes a crank angle", "hint:"],
+        words: &["--start: a start is a crank angle", "hint:"],
+    },
+    Row {
+        name: "a crank that is held still and never gets round",
+        file: SET,
+        change: &[],
+        arguments: &["simulate", "--imposed", "--start", "0 rpm", "--for", "2 revolutions"],
+        status: 2,
+        words: &["imposed speed of a run over revolutions", "above 0, or a run over a time"],
     },
     Row {
         name: "teeth of a shaft that is not there",

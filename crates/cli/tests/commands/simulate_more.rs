@@ -29,6 +29,12 @@ fn a_run_starts_where_the_command_says() {
         let told = message(&folder, 2, &["simulate", "engine.toml", "--start", start]);
         assert!(told.contains(words) && told.contains("hint"), "{start}: {told}");
     }
+    // From rest, cranked by the starter.
+    for rest in [["--start", "0 rpm"], ["--speed", "0 rpm"]] {
+        let run = ["simulate", "engine.toml", "--for", "0.3 s", "--format", "csv"];
+        let speeds = column(&output(&folder, 0, &[&run[..], &rest[..]].concat()), "speed [rad/s]");
+        assert!(speeds[0] == 0.0 && *speeds.last().unwrap() > 5.0, "{rest:?}");
+    }
     let told = message(&folder, 2, &["simulate", "engine.toml", "--start", "800 rpm", "--speed", "900 rpm"]);
     assert!(told.contains("both"), "{told}");
 }

@@ -610,3 +610,59 @@ fn the_simulation_is_that_of_the_command() {
         assert!((400..500).contains(&status) && answer.contains(words), "{key}: {status} {answer}");
     }
 }
+
+/// Points and gears of a run: those of the file and of the form, one value a sample, as the command has them.
+#[test]
+fn the_simulation_has_points_and_gears() {
+    let folder = folder("studio-simulate-points");
+    let more = "\n[[simulation.point]]\nname = \"carburettor\"\nx = \"200 mm\"\nz = \"50 mm\"\n\n[[simulation.mesh]]\nshaft = \"balancer\"\npressure_angle = \"20 deg\"\nz = \"-160 mm\"\n";
+    let text = fs::read_to_string(examples().join("three-cylinder.toml")).unwrap() + more;
+    fs::write(folder.join("three.toml"), &text).unwrap();
+    let server = Server::start(&folder, "three.toml");
+    let told = output(
+        &folder,
+        0,
+        &[
+            &["simulate", "three.toml", "--for", "2 revolutions"][..],
+            &["--format", "json", "--point", "0.35 m, 0 m, 0.1 m"],
+        ]
+        .concat(),
+    );
+    let ours: Value = serde_json::from_str(&told).unwrap();
+    let answer = server
+        .post("/api/simulate", &json!({ "text": text, "revolutions": 2.0, "points": [[0.35, 0.0, 0.1]] }));
+    let points = answer["points"].as_array().unwrap();
+    let names: Vec<&str> = points.iter().filter_map(|point| point["name"].as_str()).collect();
+    assert_eq!(names, ["carburettor", "350, 0, 100 mm"]);
+    for (own, command) in points.iter().zip(ours["points"].as_array().unwrap()) {
+        let places = |point: &Value| -> Vec<[f64; 3]> {
+            let all = point["displacement"].as_array().unwrap().iter();
+            all.map(|at| [0, 1, 2].map(|k| at[k].as_f64().unwrap())).collect()
+        };
+        let (own, command) = (places(own), places(command));
+        assert_eq!(own.len(), command.len());
+        let apart = own.iter().flatten().zip(command.iter().flatten()).map(|(a, b)| (a - b).abs());
+        assert!(apart.fold(0.0, f64::max) < 1e-15, "the same paths");
+        assert!(own[100][0].abs() > 1e-7, "it moves");
+    }
+    let reactions = ours["run"]["samples"]["reactions"].as_array().unwrap();
+    let [torques, forces] = ["gear_torques", "gear_forces"].map(|curves| {
+        let [curve] = &answer[curves].as_array().unwrap()[..] else { panic!("one shaft: {answer}") };
+        assert_eq!(curve["name"], "balancer");
+        curve["values"].as_array().unwrap().iter().map(|own| own.as_f64().unwrap()).collect::<Vec<_>>()
+    });
+    assert_eq!((torques.len(), forces.len()), (reactions.len(), reactions.len()));
+    for (k, all) in reactions.iter().enumerate() {
+        let rotor = &all["rotors"][1];
+        let size: f64 =
+            rotor["gear_force"].as_array().unwrap().iter().map(|f| f.as_f64().unwrap().powi(2)).sum();
+        assert_eq!(torques[k], rotor["gear_torque"].as_f64().unwrap());
+        assert!((forces[k] - size.sqrt()).abs() < 1e-12 * (1.0 + forces[k]));
+    }
+    assert!(forces.iter().any(|force| *force > 1.0), "the teeth carry something");
+    let body = serde_json::to_vec(&json!({ "text": text, "points": vec![[0.0; 3]; 17] })).unwrap();
+    let token = [("x-lanchester-token", server.token.as_str())];
+    let (status, _, refused) = server.ask("POST", "/api/simulate", &token, &body);
+    let refused = String::from_utf8_lossy(&refused);
+    assert!((400..500).contains(&status) && refused.contains("at most 16 points"), "{status} {refused}");
+}

@@ -3,6 +3,7 @@
 pub(crate) mod event;
 pub(in crate::read) mod extras;
 pub(in crate::read) mod parts;
+pub(crate) mod start;
 
 use super::reader::Reader;
 use crate::document::{Field, Section};

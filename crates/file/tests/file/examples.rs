@@ -1,8 +1,16 @@
 //! The worked examples that ship with the program.
 
-const EXAMPLES: [(&str, &str); 12] = [
+const EXAMPLES: [(&str, &str); 14] = [
     ("twin-in-line-in-phase", include_str!("../../../../examples/twin-in-line-in-phase.toml")),
     ("twin-in-line-out-of-phase", include_str!("../../../../examples/twin-in-line-out-of-phase.toml")),
+    (
+        "twin-in-line-in-phase-shorter",
+        include_str!("../../../../examples/twin-in-line-in-phase-shorter.toml"),
+    ),
+    (
+        "twin-in-line-out-of-phase-shorter",
+        include_str!("../../../../examples/twin-in-line-out-of-phase-shorter.toml"),
+    ),
     ("twin-boxer-in-phase", include_str!("../../../../examples/twin-boxer-in-phase.toml")),
     ("twin-boxer-out-of-phase", include_str!("../../../../examples/twin-boxer-out-of-phase.toml")),
     ("in-line-3", include_str!("../../../../examples/in-line-3.toml")),

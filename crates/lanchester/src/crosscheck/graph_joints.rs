@@ -6,7 +6,12 @@
 //! m q'' = m F''/k = F'' / w_n^2        so that of order n of F the share (n w/w_n)^2 is missing
 //! ```
 //! and but for the deflection itself, which moves the pins by F/k: both fall with 1/k. A step of the pressure makes every joint ring, whatever
-//! its stiffness; it has died away after some periods.
+//! its stiffness; it has died away after some periods. What rings in one of the rods that hang on a master rod shakes the master, and with it
+//! all of them: they ring together, with the mass of all on the crankpin, whose damper `c = 2 zeta sqrt(k m_rod)` makes it die away with
+//!
+//! ```text
+//! exp(-c t / (2 SUM m)) = exp(-zeta w_n t sqrt(m_rod / SUM m)),       w_n^2 = k / SUM m
+//! ```
 
 use crate::bond_graph::gauge_pressures;
 use crate::crosscheck::pair::Pair;
@@ -14,19 +19,20 @@ use lanchester_bondgraph::{
     CompliantJoints, EngineDrive, EngineJoints, EngineRequest, Graph, Method, Simulation as GraphRun,
     SimulationRequest, engine_graph, equations,
 };
+use lanchester_multibody::LowerPin;
 use lanchester_report::CrossRow;
 use lanchester_results::PeriodicCurve;
 use std::f64::consts::TAU;
 
 /// Share by which forces of compliant joints may differ from those of rigid ones.
 const BAR: f64 = 1e-2;
-/// Natural frequency of the heaviest part of the mechanism on its joints over the speed.
+/// Natural frequency of the heaviest piston with its rod, and of all that hang on a master rod with it, on their joints over the speed.
 const STIFF: f64 = 400.0;
 const DAMPING: f64 = 0.7;
 const STEPS: f64 = 1e-7;
 /// Samples of a revolution.
 const SAMPLES: f64 = 90.0;
-/// How long a joint rings behind a step of the pressure [rad]: `exp(-0.7 400 x)` is 1e-6 there.
+/// How long a joint rings behind a step of the pressure where nothing hangs on its rod [rad]: `exp(-0.7 400 x)` is 1e-6 there.
 const RINGS: f64 = 0.05;
 /// Within this angle a sample is at a step [rad].
 const AT_STEP: f64 = 1e-6;
@@ -41,17 +47,21 @@ pub(crate) fn joint_rows(pair: &Pair<'_>) -> Vec<CrossRow> {
     let steps: Vec<Vec<f64>> =
         pair.gas.unwrap_or_default().iter().map(|gas| steps_of(&gas.cylinder)).collect();
     let joints: Vec<[Joint<'_>; 6]> = (1..=pair.engine.cylinders.len()).map(|k| joints_of(&run, k)).collect();
+    let groups: Vec<Group> = (0..pair.engine.cylinders.len()).map(|index| Group::of(pair, index)).collect();
+    let quiet_from = groups.iter().map(|group| group.rings).fold(0.0, f64::max);
     let mut kinds = [[0.0f64; 3]; 3];
     for (sample, theta) in theta.iter().enumerate().skip(1) {
         let theirs = pair.reactions(*theta, &shares);
         for (index, theirs) in theirs.cylinders.iter().enumerate() {
             // A sample at a step may lie on either side of it, as its angle is rounded.
-            let rings = |step: &f64| {
-                let own = pair.train.own_angle(index, *theta) + AT_STEP;
-                let period = pair.gas.map_or(TAU, |gas| gas[index].cylinder.period());
-                (own - step).rem_euclid(period) < RINGS + AT_STEP
+            let rings = |cylinder: usize| {
+                let own = pair.train.own_angle(cylinder, *theta) + AT_STEP;
+                let period = pair.gas.map_or(TAU, |gas| gas[cylinder].cylinder.period());
+                let since = |step: &f64| (own - step).rem_euclid(period);
+                let long = groups[index].rings + AT_STEP;
+                steps.get(cylinder).is_some_and(|steps| steps.iter().any(|step| since(step) < long))
             };
-            if *theta < RINGS || steps.get(index).is_some_and(|own| own.iter().any(rings)) {
+            if *theta < quiet_from || groups[index].cylinders.iter().any(|own| rings(*own)) {
                 continue;
             }
             let [along, across, x, y, upper, under] = joints[index].map(|own| own.at(sample));
@@ -85,6 +95,42 @@ pub(crate) fn joint_rows(pair: &Pair<'_>) -> Vec<CrossRow> {
     rows.collect()
 }
 
+/// Cylinders whose rods hang on one another: a master rod with its articulated rods, or one rod alone.
+struct Group {
+    cylinders: Vec<usize>,
+    /// How long their joints ring behind a step of the pressure [rad].
+    rings: f64,
+}
+
+impl Group {
+    /// That of this cylinder.
+    fn of(pair: &Pair<'_>, index: usize) -> Group {
+        let cylinders = together(pair, index);
+        let is_master = |own: &&usize| pair.train.cylinders[**own].lower_pin == LowerPin::Crankpin;
+        let master = cylinders.iter().find(is_master).filter(|_| cylinders.len() > 1);
+        let share = master.map_or(1.0, |own| pair.engine.cylinders[*own].rod.mass() / mass(pair, &cylinders));
+        Group { rings: RINGS / share.sqrt(), cylinders }
+    }
+}
+
+/// Cylinders whose rods hang on the same master rod as this one's, itself among them.
+fn together(pair: &Pair<'_>, index: usize) -> Vec<usize> {
+    let master = |index: usize| match pair.train.cylinders[index].lower_pin {
+        LowerPin::Knuckle { master, .. } => master,
+        LowerPin::Crankpin => index,
+    };
+    (0..pair.train.cylinders.len()).filter(|other| master(*other) == master(index)).collect()
+}
+
+/// Of pistons and rods of these cylinders [kg].
+fn mass(pair: &Pair<'_>, cylinders: &[usize]) -> f64 {
+    let own = |index: &usize| {
+        let cylinder = &pair.engine.cylinders[*index];
+        cylinder.piston_mass + cylinder.rod.mass()
+    };
+    cylinders.iter().map(own).sum()
+}
+
 /// Spring and damper of a joint at the samples.
 #[derive(Clone, Copy)]
 struct Joint<'a> {
@@ -112,11 +158,8 @@ fn joints_of(run: &GraphRun, k: usize) -> [Joint<'_>; 6] {
 
 /// One cycle at imposed speed, block fixed, as in condition A.
 fn compliant_run(pair: &Pair<'_>) -> Option<GraphRun> {
-    let mass = |index: usize| {
-        let cylinder = &pair.engine.cylinders[index];
-        cylinder.piston_mass + cylinder.rod.mass()
-    };
-    let heaviest = (0..pair.engine.cylinders.len()).map(mass).fold(0.0, f64::max);
+    let all = 0..pair.engine.cylinders.len();
+    let heaviest = all.map(|index| mass(pair, &together(pair, index))).fold(0.0, f64::max);
     let stiffness = heaviest * (STIFF * pair.speed).powi(2);
     let mut request = EngineRequest::free(pair.speed, 1.0);
     request.drive = EngineDrive::Imposed;

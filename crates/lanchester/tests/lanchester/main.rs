@@ -13,6 +13,7 @@ mod clearance;
 mod corpus;
 mod crank_cycle;
 mod crosscheck;
+mod crosscheck_layouts;
 mod fatigue;
 mod gallery;
 mod graph_report;

@@ -98,6 +98,13 @@ pub(crate) fn check(train: &Train, simulation: &Simulation, with_gas: bool) -> R
             profile.len() as f64,
             rising && !profile.is_empty(),
         )?;
+        let fastest = profile.iter().fold(0.0f64, |most, point| most.max(point[1].abs()));
+        number(
+            "imposed speed of a run over revolutions [rad/s]",
+            "above 0, or a run over a time",
+            fastest,
+            fastest > 0.0 || matches!(simulation.duration, Duration::Time(_)),
+        )?;
     } else if let Some(rotor) = train.rotors.first().filter(|rotor| !rotor.known) {
         return Err(MultibodyError::NoInertia {
             part: rotor.name.clone(),

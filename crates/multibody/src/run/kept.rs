@@ -14,6 +14,11 @@ impl Kept {
         Kept { dimension, values: Vec::new() }
     }
 
+    /// Room for so many in all.
+    pub fn reserve(&mut self, count: usize) {
+        self.values.reserve((count * (self.dimension + 1)).saturating_sub(self.values.len()));
+    }
+
     /// How many there are.
     pub fn len(&self) -> usize {
         self.values.len() / (self.dimension + 1)

@@ -134,9 +134,20 @@ impl Samples {
         ] {
             series.reserve(more);
         }
-        if !self.reactions.is_empty() {
-            self.reactions.reserve(more);
+        // What the first sample has, all have.
+        fn alike<T>(series: &mut Vec<T>, more: usize) {
+            if !series.is_empty() {
+                series.reserve(more);
+            }
         }
+        alike(&mut self.governor, more);
+        alike(&mut self.driveline, more);
+        alike(&mut self.position, more);
+        alike(&mut self.orientation, more);
+        alike(&mut self.velocity, more);
+        alike(&mut self.spin, more);
+        alike(&mut self.mounts, more);
+        alike(&mut self.reactions, more);
     }
 }
 

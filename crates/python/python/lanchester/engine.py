@@ -732,17 +732,24 @@ class Engine:
         step: Quantity | None = None,
         tolerance: float | None = None,
         start_angle: Quantity | None = None,
+        start: str | None = None,
+        events: str | Sequence[str] = (),
+        points: Sequence[Sequence[Quantity]] = (),
         long: bool = False,
     ) -> SimulationResult:
         """The rigid crank train in time, on its mounts, at free or imposed speed. What is left out is as the file says.
 
         `speed` at the start [rad/s]; `duration` [s]; `load` [N m] or ``"none"``; `misfire`: numbers of cylinders from 1; `step` between samples [rad]; `start_angle` of the crank
-        [rad].
+        [rad]; `start`: crank angle, speed and place of the block (``"equilibrium"``, ``"as drawn"``) at the start in words, any of them; `events` on the way besides those of the file, each a moment
+        and what happens; `points` of the block [m] whose motion and orbit is asked for.
 
         >>> from lanchester import Engine
         >>> run = Engine.template("single").simulate(revolutions=1, imposed=True, gravity=False)
         >>> run.run.outcome.kind
         'complete'
+        >>> run = Engine.template("single").simulate(start="90 deg, 1200 rpm", events="540 deg: stop", imposed=True, gas=False)
+        >>> run.run.outcome.kind, f"{run.run.samples.theta[0]:.6f} rad"
+        ('stopped', '1.570796 rad')
         """
         options = {
             "speed": speed,
@@ -759,6 +766,9 @@ class Engine:
             "step": step,
             "tolerance": tolerance,
             "start_angle": start_angle,
+            "start": start,
+            "events": events,
+            "points": points,
             "long": long,
         }
         return self._ask("simulate", SimulationResult, options)

@@ -7,6 +7,8 @@ use crate::question::{How, Question, Run};
 use lanchester::bondgraph::{
     Graph, Notation, causality_text, equations, equations_latex, equations_text, graph_file, modelica,
 };
+use lanchester::file::{StartOfRun, event_from_words, start_from_words};
+use lanchester::model::NamedPoint;
 use lanchester::multibody::{LoadLaw, ReactsOn};
 use lanchester::report::{
     Condition, CrossCheck, SimulationResult, crosscheck_text, simulation_figures, simulation_text,
@@ -52,8 +54,29 @@ fn read_simulate(options: &Options<'_>) -> Result<Run, Failure> {
         _ => options.torque("load")?.map(LoadLaw::Constant),
     };
     let misfire = options.wholes("misfire", 1, 10_000)?;
+    let start = options.text("start")?.map_or(Ok(StartOfRun::default()), |text| {
+        start_from_words(&text)
+            .map_err(|(message, hint)| Failure::option(format_args!("`start`: {message}"), hint))
+    })?;
+    let (speed, start_angle) = (options.start_speed("speed")?, options.angle("start_angle")?);
+    for (name, twice) in [
+        ("speed", speed.is_some() && start.speed.is_some()),
+        ("start_angle", start_angle.is_some() && start.angle.is_some()),
+    ] {
+        if twice {
+            return Err(Failure::option(
+                format_args!("`{name}` and `start` both say the same of the start"),
+                "give it in one of them",
+            ));
+        }
+    }
+    let events = options.texts("events")?;
+    let points = options.points("points")?.into_iter();
+    let points = points.map(|at| NamedPoint { name: at.map(|own| format!("{own} m")).join(", "), at });
     let request = SimulateRequest {
-        speed: options.start_speed("speed")?,
+        speed: speed.or(start.speed),
+        start_block: start.block,
+        points: points.collect(),
         length,
         imposed: options.flag("imposed")?,
         on_mounts: options.flag("on_mounts")?,
@@ -64,7 +87,7 @@ fn read_simulate(options: &Options<'_>) -> Result<Run, Failure> {
         misfire: misfire.iter().map(|number| *number as usize - 1).collect(),
         step: options.angle("step")?,
         tolerance: options.number("tolerance")?,
-        start_angle: options.angle("start_angle")?,
+        start_angle: start_angle.or(start.angle),
         long: options.flag("long")?.unwrap_or(false),
         ..SimulateRequest::default()
     };
@@ -76,6 +99,18 @@ fn read_simulate(options: &Options<'_>) -> Result<Run, Failure> {
                 format_args!("`misfire` needs numbers of cylinders, from 1 to {count}, got {}", number + 1),
                 "cylinders are numbered as in the file",
             ));
+        }
+        let mut request = request.clone();
+        for text in &events {
+            let (when, action) = text.split_once(':').ok_or_else(|| {
+                Failure::option(
+                    format_args!("`events` needs a moment and what happens, got \"{text}\""),
+                    "write it like events=[\"3 revolutions: misfire 1\"]",
+                )
+            })?;
+            let event = event_from_words(when, action, count)
+                .map_err(|(message, hint)| Failure::option(format_args!("`events`: {message}"), hint))?;
+            request.events.push(event);
         }
         let in_file = own.file.tasks.simulation.as_ref().and_then(|input| input.gas);
         let traces = match request.gas.or(in_file) {

@@ -6,6 +6,7 @@ use crate::problem::Problem;
 use crate::questions::reading::engine_file;
 use crate::state::superseded;
 use lanchester::file::event_from_words;
+use lanchester::model::NamedPoint;
 use lanchester::multibody::{LoadLaw, MainRule, RunOutcome};
 use lanchester::report::{SimulationResult, simulation_words};
 use lanchester::task::option;
@@ -59,6 +60,9 @@ struct SimulateQuestion {
     /// What happens on the way, besides what the file says.
     #[serde(default)]
     events: Vec<AskedEvent>,
+    /// Points of the block whose motion is asked for besides those of the file, with the block as drawn [m].
+    #[serde(default)]
+    points: Vec<[f64; 3]>,
 }
 
 /// Something that is to happen on the way, in the words of the engine file.
@@ -71,8 +75,9 @@ struct AskedEvent {
     what: String,
 }
 
-/// Most events of a question.
+/// Most events and points of a question.
 const MOST_EVENTS: usize = 64;
+const MOST_POINTS: usize = 16;
 
 /// A run. Every curve has one value a sample.
 #[derive(Debug, Serialize, JsonSchema)]
@@ -103,6 +108,12 @@ struct SimulationAnswer {
     mains: Vec<NamedCurve>,
     /// Side thrust of every cylinder [N].
     side_thrust: Vec<NamedCurve>,
+    /// Paths of the points that were asked for; empty with a fixed block.
+    points: Vec<PointPath>,
+    /// Torque of gear or chain on every driven shaft [N m].
+    gear_torques: Vec<NamedCurve>,
+    /// Force of the teeth on every driven shaft whose pressure angle the file gives [N], its size.
+    gear_forces: Vec<NamedCurve>,
     /// What put energy in, positive, and what took or stores it, negative [J].
     energy: Vec<EnergyPart>,
     /// Largest error of the energy over its throughput.
@@ -116,6 +127,14 @@ struct SimulationAnswer {
 struct NamedCurve {
     name: String,
     values: Vec<f64>,
+}
+
+/// The path of a point of the block.
+#[derive(Debug, Serialize, JsonSchema)]
+struct PointPath {
+    name: String,
+    /// Displacement from where it is with the block as drawn [m]: x, y and z.
+    displacement: Vec<[f64; 3]>,
 }
 
 /// A work, or a change of what is stored.
@@ -165,6 +184,19 @@ fn simulated(asker: &Asker, question: SimulateQuestion) -> Result<SimulationAnsw
     if question.events.len() > MOST_EVENTS {
         return refused(format!("a run has at most {MOST_EVENTS} events, got {}", question.events.len()));
     }
+    if question.points.len() > MOST_POINTS {
+        return refused(format!(
+            "a run here shows at most {MOST_POINTS} points, got {}",
+            question.points.len()
+        ));
+    }
+    if let Some(index) = question.points.iter().position(|at| !at.iter().all(|own| own.is_finite())) {
+        return refused(format!("point {} needs three numbers", index + 1));
+    }
+    let named = |at: &[f64; 3]| NamedPoint {
+        name: format!("{} mm", at.map(|own| format!("{}", (1e6 * own).round() / 1e3)).join(", ")),
+        at: *at,
+    };
     let mut events = Vec::new();
     for (index, asked) in question.events.iter().enumerate() {
         match event_from_words(&asked.when, &asked.what, count) {
@@ -187,6 +219,7 @@ fn simulated(asker: &Asker, question: SimulateQuestion) -> Result<SimulationAnsw
         speed: question.speed,
         start_angle: question.angle,
         events,
+        points: question.points.iter().map(named).collect(),
         length,
         imposed: question.imposed,
         on_mounts: question.on_mounts,
@@ -256,6 +289,19 @@ fn answer(result: &SimulationResult) -> SimulationAnswer {
             samples.reactions.get(k).map_or(0.0, |all| all.cylinders[index].side_thrust)
         })
     });
+    let rotor_of = |k: usize, shaft: usize| samples.reactions.get(k).and_then(|all| all.rotors.get(shaft));
+    let shafts = || result.gears.iter().enumerate().map(|(index, name)| (index + 1, name));
+    let gear_torques = shafts().map(|(shaft, name)| {
+        named(name.clone(), &|k| rotor_of(k, shaft).map_or(0.0, |rotor| rotor.gear_torque))
+    });
+    let gear_forces = shafts().map(|(shaft, name)| {
+        named(name.clone(), &|k| rotor_of(k, shaft).map_or(0.0, |rotor| size(&rotor.gear_force)))
+    });
+    let points = result.points.iter().filter(|point| !point.displacement.is_empty());
+    let points = points.map(|point| PointPath {
+        name: point.name.clone(),
+        displacement: kept.iter().filter_map(|index| point.displacement.get(*index).copied()).collect(),
+    });
     let e = &run.energy;
     let energy = [
         ("gas", e.gas),
@@ -292,6 +338,10 @@ fn answer(result: &SimulationResult) -> SimulationAnswer {
         mounts: mounts.collect(),
         mains: mains.collect(),
         side_thrust: side_thrust.collect(),
+        points: points.collect(),
+        gear_torques: gear_torques.collect(),
+        // Without a pressure angle there is none.
+        gear_forces: gear_forces.filter(|curve| curve.values.iter().any(|force| *force != 0.0)).collect(),
         energy: energy.map(|(name, energy)| EnergyPart { name: name.to_owned(), energy }).collect(),
         energy_error: run.audit.energy,
         events: run

@@ -2931,6 +2931,13 @@ export type PointMotion = {
   point: [number, number, number];
 };
 
+/** The path of a point of the block. */
+export type PointPath = {
+  /** Displacement from where it is with the block as drawn [m]: x, y and z. */
+  displacement: Array<[number, number, number]>;
+  name: string;
+};
+
 /** A weight of the crankshaft that the file gives by its unbalance alone, such as one of the flywheel. It has no mass here. */
 export type PointWeight = {
   /** Its moment `V` along the crank [kg m^2]. */
@@ -3377,6 +3384,8 @@ export type SimulateQuestion = {
   on_mounts: boolean | null;
   /** Whether the periodic motion is searched instead. */
   periodic: boolean;
+  /** Points of the block whose motion is asked for besides those of the file, with the block as drawn [m]. */
+  points: Array<[number, number, number]>;
   /** Revolutions that it lasts. */
   revolutions: number | null;
   /** Speed of crankshaft 1 at the start [rad/s]. */
@@ -3407,6 +3416,10 @@ export type SimulationAnswer = {
   energy_error: number;
   /** What happened on the way. */
   events: SimulatedEvent[];
+  /** Force of the teeth on every driven shaft whose pressure angle the file gives [N], its size. */
+  gear_forces: NamedCurve[];
+  /** Torque of gear or chain on every driven shaft [N m]. */
+  gear_torques: NamedCurve[];
   /** Force of the journals on every main bearing [N], its size, by the rule of the file. */
   mains: NamedCurve[];
   /** Force of the block on every mount [N], its size. */
@@ -3415,6 +3428,8 @@ export type SimulationAnswer = {
   orientation: Array<[number, number, number, number]>;
   /** First sample of the last period. */
   period_start: number;
+  /** Paths of the points that were asked for; empty with a fixed block. */
+  points: PointPath[];
   /** Where the block's origin is [m]: x, y and z; empty with a fixed block. */
   position: Array<[number, number, number]>;
   /** Side thrust of every cylinder [N]. */

@@ -8,6 +8,7 @@ import {
   eventRules,
   fluctuation,
   ledger,
+  orbits,
   overPeriod,
   sampleAt,
   thetaAt,
@@ -38,6 +39,19 @@ const run: SimulationAnswer = {
   mounts: [],
   mains: [],
   side_thrust: [],
+  points: [
+    {
+      name: "carburettor",
+      displacement: [
+        [9, 9, 9],
+        [9, 9, 9],
+        [0.001, 0.002, 0],
+        [0.003, 0.006, 0],
+      ],
+    },
+  ],
+  gear_torques: [],
+  gear_forces: [],
   energy: [
     { name: "gas", energy: 100 },
     { name: "load", energy: -70 },
@@ -48,6 +62,15 @@ const run: SimulationAnswer = {
 };
 
 describe("a simulated run", () => {
+  it("draws the orbit of a point about its mean in the last period, y to the right", () => {
+    const [orbit, ...rest] = orbits(run);
+    expect(rest).toEqual([]);
+    expect(orbit?.name).toBe("carburettor");
+    expect(orbit?.x).toEqual([expect.closeTo(-0.002, 12), expect.closeTo(0.002, 12)]);
+    expect(orbit?.y).toEqual([expect.closeTo(-0.001, 12), expect.closeTo(0.001, 12)]);
+    expect(orbit?.along).toEqual([20, 30]);
+  });
+
   it("has its last period from its start", () => {
     const [curve] = overPeriod(run, [{ name: "speed", values: run.speed }]);
     expect(curve?.x).toEqual([0, 10]);

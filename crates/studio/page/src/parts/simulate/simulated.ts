@@ -46,6 +46,19 @@ export function departure(run: SimulationAnswer, component: 0 | 1 | 2): number[]
   return run.position.map((place) => place[component] - mean);
 }
 
+/** Paths of points across the crank axis in the last period, each about its mean place [m]: y to the right, x up. */
+export function orbits(run: SimulationAnswer): Series[] {
+  const along = run.theta.slice(run.period_start);
+  return run.points.map((point, index) => {
+    const path = point.displacement.slice(run.period_start);
+    const about = (axis: 0 | 1) => {
+      const mean = path.reduce((sum, place) => sum + place[axis], 0) / Math.max(1, path.length);
+      return path.map((place) => place[axis] - mean);
+    };
+    return { name: point.name, x: about(1), y: about(0), along, colour: index + 1 };
+  });
+}
+
 /** Turn of the block about every axis [rad], for turns that are small. */
 export function turn(run: SimulationAnswer, component: 0 | 1 | 2): number[] {
   return run.orientation.map((one) => 2 * (one[component + 1] ?? 0) * Math.sign(one[0] || 1));
