@@ -162,11 +162,11 @@ impl Equations {
         if !is_whole && beginning < most && largest.contains(&0.0) {
             (is_whole, largest) = sizes(&mut compiled, most);
         }
-        let absolute: Vec<f64> = largest.iter().map(share).collect();
+        let absolute = self.absolute(&largest, share);
         let mut pass = self.pass(&mut compiled, request, places, &absolute);
         if !pass.complete && !is_whole && beginning < most {
             let (_, largest) = sizes(&mut compiled, most);
-            let absolute: Vec<f64> = largest.iter().map(share).collect();
+            let absolute = self.absolute(&largest, share);
             pass = self.pass(&mut compiled, request, places, &absolute);
         }
         let time: Vec<f64> = pass.samples.iter().map(|(t, _)| *t).collect();
@@ -187,6 +187,25 @@ impl Equations {
             statistics: pass.statistics,
             operations: compiled.operations(),
         }
+    }
+
+    /// Absolute tolerances: shares of the largest value that each quantity came to. A state that is zero by symmetry comes to what
+    /// rounding leaves of it, which no step can follow: none is finer than the rounding of the largest state of its unit, or of
+    /// the largest energy.
+    fn absolute(&self, largest: &[f64], share: impl Fn(&f64) -> f64) -> Vec<f64> {
+        let mut absolute: Vec<f64> = largest.iter().map(share).collect();
+        for (index, state) in self.states.iter().enumerate() {
+            let of_unit = self.states.iter().zip(largest).filter(|(other, _)| other.unit_name == state.unit_name);
+            let size = of_unit.fold(0.0_f64, |most, (_, size)| most.max(*size));
+            absolute[index] = absolute[index].max(f64::EPSILON * size);
+        }
+        // Behind the states stand the energies through the bonds.
+        let energies = self.states.len().min(absolute.len());
+        let size = largest[energies..].iter().fold(0.0_f64, |most, size| most.max(*size));
+        for energy in &mut absolute[energies..] {
+            *energy = energy.max(f64::EPSILON * size);
+        }
+        absolute
     }
 
     /// Effort of every bond at the start, by its name.
