@@ -195,7 +195,8 @@ impl Equations {
     fn absolute(&self, largest: &[f64], share: impl Fn(&f64) -> f64) -> Vec<f64> {
         let mut absolute: Vec<f64> = largest.iter().map(share).collect();
         for (index, state) in self.states.iter().enumerate() {
-            let of_unit = self.states.iter().zip(largest).filter(|(other, _)| other.unit_name == state.unit_name);
+            let of_unit =
+                self.states.iter().zip(largest).filter(|(other, _)| other.unit_name == state.unit_name);
             let size = of_unit.fold(0.0_f64, |most, (_, size)| most.max(*size));
             absolute[index] = absolute[index].max(f64::EPSILON * size);
         }

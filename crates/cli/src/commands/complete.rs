@@ -4,9 +4,7 @@ use crate::commands::open;
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
 use crate::files::{print, rewrite, tell, write_new};
 use crate::options::complete::CompleteArguments;
-use lanchester::file::{
-    CompleteError, Completed, EngineKind, TypicalSection, complete, difference, render,
-};
+use lanchester::file::{CompleteError, Completed, EngineKind, TypicalSection, complete, difference, render};
 use lanchester_files::shown;
 use std::path::Path;
 
@@ -27,11 +25,7 @@ pub fn run(arguments: &CompleteArguments, colour: bool) -> Result<u8, Failure> {
     let added: Vec<&str> = completed.added.iter().map(|section| section.word()).collect();
     match added.as_slice() {
         [] => tell(format_args!("{name} needs no typical values here")),
-        added => tell(format_args!(
-            "typical values of kind {} for {}",
-            completed.kind,
-            added.join(", ")
-        )),
+        added => tell(format_args!("typical values of kind {} for {}", completed.kind, added.join(", "))),
     }
     for left in &completed.left_out {
         tell(format_args!("{} is left out: {}", left.section, left.why));

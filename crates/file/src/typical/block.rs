@@ -72,15 +72,24 @@ impl From<'_> {
         // Whatever the rule says, an engine weighs several times what moves in it.
         let mass = (own + a_litre * sizes.swept * 1e3).max(6.0 * moving);
         let ([x, y, z], size) = (bounds.middle(), bounds.size());
-        let about = |a: usize, b: usize| quantity(mass * (size[a].powi(2) + size[b].powi(2)) / 12.0, "kg m2", 1.0, 2);
+        let about =
+            |a: usize, b: usize| quantity(mass * (size[a].powi(2) + size[b].powi(2)) / 12.0, "kg m2", 1.0, 2);
         let block = Block::new("[block]", "the engine as a box around its cylinders and its crankcase.")
             .line(
                 "mass",
                 quantity(mass, "kg", 1.0, 2),
-                &format!("{} kg and {} kg for each litre of swept volume", number(own, 3), number(a_litre, 3)),
+                &format!(
+                    "{} kg and {} kg for each litre of swept volume",
+                    number(own, 3),
+                    number(a_litre, 3)
+                ),
             )
             // The crankshaft makes the lower part heavier.
-            .line("centre", three([mm(0.8 * x), mm(y), mm(z + self.origin)]), "middle of the box, lower by a fifth")
+            .line(
+                "centre",
+                three([mm(0.8 * x), mm(y), mm(z + self.origin)]),
+                "middle of the box, lower by a fifth",
+            )
             .line("inertia", three([about(1, 2), about(0, 2), about(0, 1)]), "of the box");
         Found::Blocks(vec![block])
     }
@@ -103,12 +112,17 @@ impl From<'_> {
         let stiffness = block.mass * (TAU * bounce).powi(2) / count as f64;
         let damping = 2.0 * DAMPING * (stiffness * block.mass / count as f64).sqrt();
         let values = [stiffness, 0.5 * stiffness, 0.5 * stiffness].map(|k| quantity(k, "N/mm", 1e3, 2));
-        let comment =
-            format!("the block bounces at {} Hz, as {} does; half as stiff across", number(bounce, 2), self.kind.engine());
+        let comment = format!(
+            "the block bounces at {} Hz, as {} does; half as stiff across",
+            number(bounce, 2),
+            self.kind.engine()
+        );
         if !engine.mounts.is_empty() {
             let bare = engine.mounts.iter().enumerate().filter(|(_, mount)| mount.spring.is_none());
             let stiff: Vec<&str> = values.iter().map(|value| value.trim_matches('"')).collect();
-            let set = |(index, _)| (format!("mount[{index}].stiffness"), Json::from(stiff.clone()), comment.clone());
+            let set = |(index, _)| {
+                (format!("mount[{index}].stiffness"), Json::from(stiff.clone()), comment.clone())
+            };
             let keys: Vec<(String, Json, String)> = bare.map(set).collect();
             return if keys.is_empty() { Found::There } else { Found::Keys(keys) };
         }

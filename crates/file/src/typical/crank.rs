@@ -88,21 +88,47 @@ impl From<'_> {
             );
         };
         let comment = match is_weighed {
-            true => "a crankshaft scaled to bore and stroke, with webs of the unbalance that the masses of [crank] give.",
+            true => {
+                "a crankshaft scaled to bore and stroke, with webs of the unbalance that the masses of [crank] give."
+            }
             false => "a crankshaft scaled to bore and stroke.",
         };
         let mut block = Block::new("[crank.body]", comment)
             .line("density", format!("\"{} kg/m3\"", number(body.density, 4)), "of the material")
-            .line("journal_diameter", mm(body.journal_diameter), &ratio(sizes.ratios.journal_over_bore, "bore", "at most 0.9 stroke"))
-            .line("pin_diameter", mm(body.pin_diameter), &ratio(sizes.ratios.pin_over_bore, "bore", "at most 0.8 stroke"));
+            .line(
+                "journal_diameter",
+                mm(body.journal_diameter),
+                &ratio(sizes.ratios.journal_over_bore, "bore", "at most 0.9 stroke"),
+            )
+            .line(
+                "pin_diameter",
+                mm(body.pin_diameter),
+                &ratio(sizes.ratios.pin_over_bore, "bore", "at most 0.8 stroke"),
+            );
         if body.pin_bore > 0.0 {
             block = block.line("pin_bore", mm(body.pin_bore), "lightens the pin to the unbalance of [crank]");
         }
         block = block
-            .line("web_thickness", mm(body.web_thickness), "0.22 bore, at most 0.42 of the room along the crank")
-            .line("web_radius", hundredths(body.web_radius), if is_weighed { "for the unbalance of [crank]" } else { "0.62 journal" })
-            .line("pin_end_radius", mm(body.pin_end_radius), &format!("{} pin", number(body.pin_end_radius / body.pin_diameter, 2)))
-            .line("end_journals", list(&body.end_journals.map(mm)), "twice from the face of the web to the middle of the bearing, at least 0.3 journal")
+            .line(
+                "web_thickness",
+                mm(body.web_thickness),
+                "0.22 bore, at most 0.42 of the room along the crank",
+            )
+            .line(
+                "web_radius",
+                hundredths(body.web_radius),
+                if is_weighed { "for the unbalance of [crank]" } else { "0.62 journal" },
+            )
+            .line(
+                "pin_end_radius",
+                mm(body.pin_end_radius),
+                &format!("{} pin", number(body.pin_end_radius / body.pin_diameter, 2)),
+            )
+            .line(
+                "end_journals",
+                list(&body.end_journals.map(mm)),
+                "twice from the face of the web to the middle of the bearing, at least 0.3 journal",
+            )
             .line("pin_fillet", mm(0.05 * body.pin_diameter), "0.05 pin")
             .line("journal_fillet", mm(0.05 * body.journal_diameter), "0.05 journal");
         Found::Blocks(vec![block])
@@ -121,8 +147,15 @@ impl From<'_> {
             return Found::Not("the file has no [crank] to which a material could be added".into());
         }
         let material = self.kind.ratios().material;
-        let mut block = Block::new("[crank.material]", format!("what the crankshaft of {} is usually made of.", self.kind.engine()))
-            .line("preset", format!("\"{material}\""), "its strength and elasticity are typical values too");
+        let mut block = Block::new(
+            "[crank.material]",
+            format!("what the crankshaft of {} is usually made of.", self.kind.engine()),
+        )
+        .line(
+            "preset",
+            format!("\"{material}\""),
+            "its strength and elasticity are typical values too",
+        );
         if !material.starts_with("EN-GJS") {
             block = block.line("forging", "\"grain-flow\"", "die forged");
         }
@@ -145,7 +178,8 @@ fn end_journals(sizes: &Sizes<'_>) -> [f64; 2] {
     let mut lengths = [0.3 * sizes.journal; 2];
     for shaft in 0..engine.crankshafts.len() {
         let mains = engine.main_planes(shaft);
-        let webs = engine.throws.iter().filter(|throw| throw.crankshaft == shaft).filter_map(|throw| throw.webs);
+        let webs =
+            engine.throws.iter().filter(|throw| throw.crankshaft == shaft).filter_map(|throw| throw.webs);
         let (mut first, mut last) = (f64::INFINITY, f64::NEG_INFINITY);
         for [front, rear] in webs {
             (first, last) = (first.min(front), last.max(rear));
@@ -179,7 +213,10 @@ fn matched(sizes: &Sizes<'_>, density: f64, throws: &[Throw]) -> Option<CrankBod
     let usual = plain(sizes, density);
     let error = |body: &CrankBody| {
         let found = throw_unbalances(body, &CrankDetails::default(), throws).ok()?;
-        let off = throws.iter().zip(&found).map(|(throw, found)| (found.unbalance - throw.unbalance) / throw.unbalance.abs());
+        let off = throws
+            .iter()
+            .zip(&found)
+            .map(|(throw, found)| (found.unbalance - throw.unbalance) / throw.unbalance.abs());
         off.max_by(|a, b| a.abs().total_cmp(&b.abs()))
     };
     let written = |body: &CrankBody| CrankBody { web_radius: (body.web_radius * 1e5).round() / 1e5, ..*body };

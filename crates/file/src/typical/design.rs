@@ -48,7 +48,9 @@ impl From<'_> {
             return Found::There;
         }
         if self.has_own_weights() {
-            return Found::Not("the counterweights of the file are free without it, by their own names".into());
+            return Found::Not(
+                "the counterweights of the file are free without it, by their own names".into(),
+            );
         }
         let at_throws = engine.counterweights.iter().any(|weight| weight.name.starts_with("throw"));
         let on_webs = !at_throws
@@ -84,18 +86,24 @@ impl From<'_> {
         let disc = web_radius(sizes);
         let body = sizes.engine.crank_body.as_ref();
         let thickness = body.map_or(sizes.web, |body| body.web_thickness);
-        let mut block = Block::new("[counterweight_design]", "shapes within the room below the pistons, as thick as the webs.")
-            .line("minimise", "\"mass\"", "");
+        let mut block = Block::new(
+            "[counterweight_design]",
+            "shapes within the room below the pistons, as thick as the webs.",
+        )
+        .line("minimise", "\"mass\"", "");
         if body.is_none() {
-            block = block
-                .line("density", "\"7850 kg/m3\"", "steel")
-                .line("web_radius", mm(disc), "0.62 journal");
+            block =
+                block.line("density", "\"7850 kg/m3\"", "steel").line("web_radius", mm(disc), "0.62 journal");
         }
         let least = (0.7 * disc).max(0.3 * room.arc).min(0.9 * room.arc);
         let block = block
             .line("rectangle_height", list(&[mm(0.0), mm(0.6 * room.arc)]), "up to 0.6 of the largest radius")
             .line("shoulder_height", list(&[mm(0.0), mm(0.4 * room.arc)]), "up to 0.4 of the largest radius")
-            .line("arc_radius", list(&[mm(least), mm(room.arc)]), "up to the pistons at their lower dead centre")
+            .line(
+                "arc_radius",
+                list(&[mm(least), mm(room.arc)]),
+                "up to the pistons at their lower dead centre",
+            )
             .line("arc_angle", "[\"40 deg\", \"210 deg\"]", "")
             .line("thickness", mm(thickness), "of the web");
         Found::Blocks(vec![block])
@@ -110,12 +118,17 @@ impl From<'_> {
         let clear = CLEAR * sizes.bore;
         let big_end = 0.72 * sizes.pin;
         let case = (sizes.radius + big_end).max(room.arc) + 4.0 * clear;
-        let mut block = Block::new("[clearance]", "crankcase, pistons and rods scaled to stroke, bore and crankpin.")
-            .line("least", mm(clear), "0.015 bore")
-            .line("crankcase_radius", mm(case), "around big ends and counterweights");
+        let mut block =
+            Block::new("[clearance]", "crankcase, pistons and rods scaled to stroke, bore and crankpin.")
+                .line("least", mm(clear), "0.015 bore")
+                .line("crankcase_radius", mm(case), "around big ends and counterweights");
         if engine.cylinders.iter().all(|cylinder| cylinder.bore.is_some()) {
             block = block
-                .line("skirt_length", mm(room.skirt), "from 0.1 to 0.4 bore, as short as the counterweights need")
+                .line(
+                    "skirt_length",
+                    mm(room.skirt),
+                    "from 0.1 to 0.4 bore, as short as the counterweights need",
+                )
                 .line("skirt_width", mm(0.55 * sizes.bore), "0.55 bore");
         }
         let block = block
@@ -141,7 +154,11 @@ impl From<'_> {
             .line("minimise", "\"mass\"", "")
             .line("density", "\"7850 kg/m3\"", "steel")
             .line("shaft_diameter", mm(0.7 * radius), "0.7 of that radius")
-            .line("radius", list(&[mm(0.8 * radius), mm(1.3 * radius)]), "0.8 to 1.3 of the radius of half a disc as long as it")
+            .line(
+                "radius",
+                list(&[mm(0.8 * radius), mm(1.3 * radius)]),
+                "0.8 to 1.3 of the radius of half a disc as long as it",
+            )
             .line("chord", list(&[mm(-0.2 * radius), mm(0.2 * radius)]), "")
             .line("length", list(&[mm(0.3 * radius), mm(2.5 * radius)]), "");
         Found::Blocks(vec![block])

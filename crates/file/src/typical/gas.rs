@@ -22,13 +22,14 @@ impl From<'_> {
         let rise = 0.4 * sizes.energy() * (ratios.compression_ratio - 1.0);
         let peak = ratios.peak.min(compressed + 0.7 * rise);
         let of = format!("of {}", self.kind.engine());
-        let gas = Block::new(
-            "[gas]",
-            format!("one ideal cycle {of} at full load, the same at every speed."),
-        )
-        .line("compression_ratio", number(ratios.compression_ratio, 3), &of);
+        let gas = Block::new("[gas]", format!("one ideal cycle {of} at full load, the same at every speed."))
+            .line("compression_ratio", number(ratios.compression_ratio, 3), &of);
         let cycle = Block::new("[gas.cycle]", "")
-            .line("type", "\"seiliger\"", "heat at constant volume up to the peak pressure, then at constant pressure")
+            .line(
+                "type",
+                "\"seiliger\"",
+                "heat at constant volume up to the peak pressure, then at constant pressure",
+            )
             .line("peak_pressure", quantity(peak, "bar", 1e5, 3), &of);
         let intake = Block::new("[gas.intake]", "").line(
             "pressure",
@@ -52,7 +53,11 @@ impl From<'_> {
             return Found::Not("it needs [gas]".into());
         }
         let block = Block::new("[friction]", "the usual constants of Chen and Flynn's form.")
-            .line("constant", quantity(self.kind.ratios().friction, "bar", 1e5, 2), &format!("of {}", self.kind.engine()))
+            .line(
+                "constant",
+                quantity(self.kind.ratios().friction, "bar", 1e5, 2),
+                &format!("of {}", self.kind.engine()),
+            )
             .line("peak_pressure", "0.005", "share of the peak pressure")
             .line("speed", "\"0.09 bar s/m\"", "for each m/s of mean piston speed")
             .line("speed_squared", "\"0.0009 bar s2/m2\"", "");

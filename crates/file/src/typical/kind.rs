@@ -111,7 +111,11 @@ impl EngineKind {
             .map(|throw| engine.cylinders.iter().filter(|cylinder| cylinder.throw == throw).count())
             .max();
         let is_radial = on_one_pin.is_some_and(|rods| rods >= 3)
-            || engine.cylinders.iter().filter(|c| matches!(c.rod.joint, RodJoint::Articulated { .. })).count()
+            || engine
+                .cylinders
+                .iter()
+                .filter(|c| matches!(c.rod.joint, RodJoint::Articulated { .. }))
+                .count()
                 > cylinders / 2;
         if says_diesel || engine.cylinders.iter().any(|cylinder| cylinder.chamber.is_some()) {
             diesel

@@ -27,8 +27,11 @@ impl From<'_> {
         let crank_comment = "pins, webs and counterweights of usual proportions";
         match &engine.flywheel {
             None => {
-                let block = Block::new("[flywheel]", "for smooth running at the lowest speed.")
-                    .line("inertia", text(inertia()), comment);
+                let block = Block::new("[flywheel]", "for smooth running at the lowest speed.").line(
+                    "inertia",
+                    text(inertia()),
+                    comment,
+                );
                 Found::Blocks(vec![match needs_crank {
                     true => block.line("crankshaft_inertia", crank(), crank_comment),
                     false => block,
@@ -37,7 +40,11 @@ impl From<'_> {
             Some(_) => {
                 let mut keys = Vec::new();
                 if !self.has("flywheel.inertia") {
-                    keys.push(("flywheel.inertia".into(), Json::from(text(inertia()).trim_matches('"')), comment.into()));
+                    keys.push((
+                        "flywheel.inertia".into(),
+                        Json::from(text(inertia()).trim_matches('"')),
+                        comment.into(),
+                    ));
                 }
                 if needs_crank && !self.has("flywheel.crankshaft_inertia") {
                     let value = Json::from(crank().trim_matches('"'));
@@ -61,9 +68,11 @@ impl From<'_> {
         };
         let sized = |block: Block, key: &str, of: f64, width: f64, comment: &str| {
             let block = if body.is_none() { block.line("diameter", mm(of), key) } else { block };
-            block
-                .line("width", mm(width), comment)
-                .line("diametral_clearance", quantity(0.001 * of, "mm", 1e-3, 2), "0.001 of the diameter")
+            block.line("width", mm(width), comment).line(
+                "diametral_clearance",
+                quantity(0.001 * of, "mm", 1e-3, 2),
+                "0.001 of the diameter",
+            )
         };
         let first = Block::new("[bearings.piston_pin]", "plain bearings scaled to bore, pin and journal.")
             .line("diameter", mm(piston_pin), "0.25 bore")

@@ -63,7 +63,8 @@ impl<'a> Sizes<'a> {
         // Pins of a pair with nothing between them touch: the web is as thick as their webs reach over one another.
         let shared = SharedWeb::all(&engine.throws);
         let over = shared.iter().filter_map(|shared| {
-            let ([_, end], [start, _]) = (engine.throws[shared.front].webs?, engine.throws[shared.rear].webs?);
+            let ([_, end], [start, _]) =
+                (engine.throws[shared.front].webs?, engine.throws[shared.rear].webs?);
             Some(end - start)
         });
         let least = over.fold(0.0_f64, f64::max);
@@ -213,9 +214,10 @@ fn typical_web_distance(engine: &Engine, bore: f64, bay: Option<f64>, pin: f64, 
         Some(bay) if bay < 0.5 * bore => {
             let mut pins: Vec<&lanchester_model::Throw> = engine.throws.iter().collect();
             pins.sort_by(|a, b| a.z.total_cmp(&b.z));
-            let apart = pins.windows(2).find(|pair| pair[1].z - pair[0].z < bay + TOUCH).map_or(0.0, |pair| {
-                2.0 * pair[0].radius * ((pair[1].angle - pair[0].angle) / 2.0).sin().abs()
-            });
+            let apart =
+                pins.windows(2).find(|pair| pair[1].z - pair[0].z < bay + TOUCH).map_or(0.0, |pair| {
+                    2.0 * pair[0].radius * ((pair[1].angle - pair[0].angle) / 2.0).sin().abs()
+                });
             if apart < 0.7 * pin { bay + 0.2 * bore } else { bay }
         }
         Some(bay) => usual.min(0.54 * bay),
