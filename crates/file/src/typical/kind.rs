@@ -156,7 +156,7 @@ impl EngineKind {
                 compression_ratio: 11.5,
                 peak: 75e5,
                 mass: [15.0, 55.0],
-                flywheel: 0.5,
+                flywheel: 1.1,
                 bounce: 14.0,
                 material: FORGED,
                 ..car

@@ -14,15 +14,15 @@ impl From<'_> {
         let engine = sizes.engine;
         let inertia = || {
             let work = WORK_SHARE * sizes.energy() * sizes.swept;
-            // At full load the work of one firing swings in and out of it: the rarer the firings, the more.
-            1.45 * sizes.ratios.flywheel * work / sizes.firings / engine.speed.lowest.powi(2)
+            // At full load the work of the longest pause between firings swings in and out of it.
+            1.45 * sizes.ratios.flywheel * work / sizes.evenness / engine.speed.lowest.powi(2)
         };
         let text = |inertia: f64| quantity(inertia, "kg m2", 1.0, 2);
         let crank = || text(crank_inertia(sizes));
         let needs_crank = engine.crank_body.is_none();
         let comment = match self.kind {
             super::EngineKind::AircraftPetrol => "airscrew and hub",
-            _ => "from the work of one firing over the square of the lowest speed",
+            _ => "from the work of the longest pause between firings over the square of the lowest speed",
         };
         let crank_comment = "pins, webs and counterweights of usual proportions";
         match &engine.flywheel {

@@ -29,6 +29,8 @@ pub(super) struct Sizes<'a> {
     pub(super) swept: f64,
     /// Firings in a working cycle.
     pub(super) firings: f64,
+    /// A working cycle over the longest pause between two firings: the firings of an evenly firing engine with that pause.
+    pub(super) evenness: f64,
     /// Rods side by side on one pin, the most.
     pub(super) rods: f64,
     /// Length of the rods from crankpin to piston pin [m], the smallest.
@@ -99,6 +101,7 @@ impl<'a> Sizes<'a> {
             web,
             swept,
             firings: chambers,
+            evenness: evenness(engine),
             rods,
             rod,
         }
@@ -138,6 +141,18 @@ impl<'a> Sizes<'a> {
         };
         engine.counterweights.iter().map(of).fold(0.0, f64::max)
     }
+}
+
+/// A working cycle over the longest pause between two firings; 1 where the file gives no firing.
+fn evenness(engine: &Engine) -> f64 {
+    let cycle = 2.0 * PI * f64::from(engine.strokes.revolutions());
+    let mut angles: Vec<f64> =
+        engine.cylinders.iter().filter_map(|c| c.firing_angle).map(|angle| angle.rem_euclid(cycle)).collect();
+    angles.sort_by(f64::total_cmp);
+    let Some(first) = angles.first().copied() else { return 1.0 };
+    angles.push(first + cycle);
+    let longest = angles.windows(2).map(|pair| pair[1] - pair[0]).fold(0.0_f64, f64::max);
+    cycle / longest
 }
 
 /// Planes of neighbouring throws on one crankshaft [m], front then rear.
