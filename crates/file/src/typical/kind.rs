@@ -204,7 +204,6 @@ impl EngineKind {
                 viscosity: 0.020,
                 friction: 0.6e5,
                 material: FORGED,
-                ..car
             },
             EngineKind::AircraftPetrol => Ratios {
                 bore_over_stroke: 0.95,
