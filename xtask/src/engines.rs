@@ -20,11 +20,24 @@ pub fn examples() -> Result<Vec<PathBuf>> {
     Ok(files)
 }
 
+/// Engine files of `examples/real/`, by name.
+fn real() -> Result<Vec<PathBuf>> {
+    let mut files = Vec::new();
+    for entry in std::fs::read_dir(root().join("examples/real")).context("cannot read examples/real/")? {
+        files.push(entry?.path());
+    }
+    ensure!(!files.is_empty(), "no engine in examples/real");
+    files.sort();
+    Ok(files)
+}
+
 /// Every example and every template through `check`, `loads`, `balance` and `report`.
 pub fn run(program: &Path) -> Result<String> {
     let folder = scratch("engines")?;
     let examples = examples()?;
     let mut files = examples.clone();
+    let real = real()?;
+    files.extend(real.iter().cloned());
     let templates = templates(program)?;
     for template in &templates {
         let file = folder.join(format!("{template}.toml"));
@@ -47,7 +60,12 @@ pub fn run(program: &Path) -> Result<String> {
         std::fs::remove_file(&report)?;
     }
     let sheets = sheets(program, &folder)?;
-    Ok(format!("{} examples, {} templates, {sheets} workshop sheets", examples.len(), templates.len()))
+    Ok(format!(
+        "{} examples, {} real engines, {} templates, {sheets} workshop sheets",
+        examples.len(),
+        real.len(),
+        templates.len()
+    ))
 }
 
 /// `balance` finds an optimum, proves it, and can write it into the file.

@@ -5,6 +5,7 @@ use crate::failure::exit_statuses;
 use crate::format::Format;
 use crate::options::bondgraph::BondgraphArguments;
 use crate::options::compare::CompareArguments;
+use crate::options::complete::CompleteArguments;
 use crate::options::counterweight::CounterweightArguments;
 use crate::options::explore::ExploreArguments;
 use crate::options::export::ExportArguments;
@@ -72,9 +73,18 @@ pub enum Command {
     /// Write a new engine file from the gallery.
     #[command(
         after_help = "Examples:\n  lanchester new --list\n  lanchester new v8-crossplane > v8.toml\n  \
-                            lanchester new in-line-3 --output three.toml"
+                            lanchester new in-line-3 --output three.toml\n  \
+                            lanchester new single --complete > single.toml"
     )]
     New(NewArguments),
+    /// Add typical values for what an engine file leaves out, scaled to the engine: gas, flywheel, bearings, mounts, crankshaft, tolerances.
+    #[command(
+        after_help = "Examples:\n  lanchester complete twin.toml --write\n  lanchester complete twin.toml --dry-run\n  \
+                            lanchester complete twin.toml > complete.toml\n  \
+                            lanchester complete twin.toml --section gas --section flywheel --kind motorcycle-petrol\n\n\
+                            Exit status 1: a section of --section cannot be had for this engine, and the message says why."
+    )]
+    Complete(CompleteArguments),
     /// Shaking forces, couples, roll moment and torque: by order and sense of rotation, and their peaks.
     #[command(
         after_help = "Examples:\n  lanchester loads twin.toml\n  lanchester loads twin.toml --speed '6000 rpm' \
@@ -280,6 +290,9 @@ pub struct NewArguments {
     /// List the gallery.
     #[arg(long, conflicts_with = "name")]
     pub list: bool,
+    /// Add typical values for what the file leaves out, as `complete` does.
+    #[arg(long, conflicts_with = "list")]
+    pub complete: bool,
     /// Write to this file instead of standard output; never overwrites.
     #[arg(long, short, value_name = "FILE")]
     pub output: Option<PathBuf>,

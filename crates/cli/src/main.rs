@@ -62,7 +62,8 @@ fn main() -> ExitCode {
     let outcome = match arguments.command {
         Command::Check(arguments) => commands::check::run(&arguments, colour),
         Command::Show(arguments) => commands::show::run(&arguments, colour),
-        Command::New(arguments) => commands::new::run(&arguments),
+        Command::New(arguments) => commands::new::run(&arguments, colour),
+        Command::Complete(arguments) => commands::complete::run(&arguments, colour),
         Command::Loads(arguments) => commands::loads::run(&arguments, colour),
         Command::Torque(arguments) => commands::torque::run(&arguments, colour),
         Command::Bearings(arguments) => commands::bearings::run(&arguments, colour),

@@ -12,7 +12,9 @@ pub fn remedy(error: &dyn Any) -> Option<String> {
 
 fn of_space(error: &LayoutSpaceError) -> Option<&'static str> {
     Some(match error {
-        LayoutSpaceError::Banks { .. } => "say which are meant with --in-line or --bank-angle",
+        LayoutSpaceError::Banks { .. } => {
+            "to search the layouts that its pistons and rods could make instead, give --in-line or --bank-angle, and --spacing"
+        }
         LayoutSpaceError::Missing { size, .. } => match size {
             LayoutSize::Spacing => "give --spacing",
             LayoutSize::WebDistance => "give --web-distance",

@@ -52,8 +52,9 @@ pub fn expanded(file: &EngineFile) -> String {
     text.crankshafts(engine);
     text.crank_body(engine);
     text.crank_material(engine);
+    let weighed = weighed(engine);
     for (index, throw) in engine.throws.iter().enumerate() {
-        text.throw(index, throw, engine.crank_body.is_some());
+        text.throw(index, throw, weighed[index]);
     }
     for (index, cylinder) in engine.cylinders.iter().enumerate() {
         text.cylinder(index, cylinder, engine);
@@ -113,7 +114,7 @@ impl File {
         }
     }
 
-    fn throw(&mut self, index: usize, throw: &Throw, has_body: bool) {
+    fn throw(&mut self, index: usize, throw: &Throw, weighed: bool) {
         self.header("[[throw]]", &format!("{}", index + 1));
         if throw.crankshaft > 0 {
             self.entry("crankshaft", &(throw.crankshaft + 1).to_string());
@@ -121,7 +122,7 @@ impl File {
         self.entry("angle", &quantity(throw.angle, Dimension::Angle));
         self.entry("z", &quantity(throw.z, Dimension::Length));
         self.entry("radius", &quantity(throw.radius, Dimension::Length));
-        if !has_body {
+        if weighed {
             self.entry_unless_zero("unbalance", throw.unbalance, Dimension::Unbalance);
         }
         if let Some([front, rear]) = throw.webs {
@@ -272,4 +273,17 @@ fn mass_and_centre(rod: &Rod) -> (f64, f64) {
         .flat_map(|mass| neighbours(centre).into_iter().map(move |centre| (mass, centre)))
         .find(|(mass, centre)| fits(*mass, *centre))
         .unwrap_or((mass, centre))
+}
+
+/// Of each throw, whether its unbalance is given, and not that of its body.
+fn weighed(engine: &Engine) -> Vec<bool> {
+    let of_body = engine.crank_body.as_ref().and_then(|body| {
+        let details = engine.crank_details.clone().unwrap_or_default();
+        lanchester_model::throw_unbalances(body, &details, &engine.throws).ok()
+    });
+    let Some(of_body) = of_body else { return vec![true; engine.throws.len()] };
+    let is_body = |(throw, found): (&Throw, &lanchester_model::ThrowUnbalance)| {
+        throw.unbalance == found.unbalance && throw.unbalance_offset == found.offset
+    };
+    engine.throws.iter().zip(&of_body).map(|pair| !is_body(pair)).collect()
 }

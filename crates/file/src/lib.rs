@@ -42,6 +42,7 @@ mod problem;
 mod read;
 mod schema;
 mod template;
+mod typical;
 mod values;
 pub mod workshop;
 mod write_back;
@@ -57,6 +58,7 @@ pub use schema::{
     KeyInfo, KeyTable, json_schema, key_tables, reference_markdown, sheet_reference_markdown, sheet_schema,
 };
 pub use template::{Template, nearest_template, template, templates};
+pub use typical::{CompleteError, Completed, EngineKind, LeftOut, TypicalSection, complete};
 pub use values::{si_value, values_text};
 pub use write_back::{
     Edit, EditError, FileEntry, WriteBackError, difference, edit, file_entries, write_back,

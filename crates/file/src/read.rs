@@ -143,17 +143,24 @@ impl<'a> Reader<'a> {
                 throw.move_by(-origin);
             }
         }
-        let mut throws: Option<Vec<_>> = throws.map(|throws| throws.into_iter().map(|t| t.throw).collect());
-        if let Some(throws) = &mut throws {
-            crank::body::weigh(throws, &body_draft);
-        }
+        let (mut throws, weighed): (Option<Vec<_>>, Vec<_>) = match throws {
+            None => (None, Vec::new()),
+            Some(throws) => {
+                let (throws, weighed) = throws.into_iter().map(|draft| (draft.throw, draft.weighed)).unzip();
+                (Some(throws), weighed)
+            }
+        };
+        let agrees = match &mut throws {
+            None => None,
+            Some(throws) => self.weigh(throws, &weighed, &body_draft),
+        };
         let counterweights = match (&throws, &cylinders, weights, origin) {
             (Some(throws), Some(cylinders), Some(weights), Some(origin)) => {
                 self.counterweights(weights, throws, cylinders, &body_draft, origin)
             }
             _ => None,
         };
-        if version.is_bad() || note.is_bad() {
+        if version.is_bad() || note.is_bad() || agrees.is_none() {
             return None;
         }
         let mut parts = EngineParts {

@@ -5,6 +5,7 @@ pub mod bearings;
 pub mod bondgraph;
 pub mod check;
 pub mod compare;
+pub mod complete;
 pub mod counterweight;
 pub mod crosscheck;
 pub mod explore;

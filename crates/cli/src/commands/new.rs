@@ -1,6 +1,7 @@
 //! `lanchester new`: an engine file to start from.
 
 use crate::arguments::NewArguments;
+use crate::commands::complete::completed;
 use crate::commands::json;
 use crate::failure::{DONE, Failure};
 use crate::files::{print, write_new};
@@ -9,7 +10,7 @@ use lanchester::file::{nearest_template, template, templates};
 use lanchester::report::csv_text;
 use lanchester_files::shown;
 
-pub fn run(arguments: &NewArguments) -> Result<u8, Failure> {
+pub fn run(arguments: &NewArguments, colour: bool) -> Result<u8, Failure> {
     let Some(name) = &arguments.name else { return list(arguments.format) };
     let Some(template) = template(name) else {
         let nearest =
@@ -19,12 +20,17 @@ pub fn run(arguments: &NewArguments) -> Result<u8, Failure> {
             format_args!("{nearest}`lanchester new --list` shows all of them"),
         ));
     };
+    let completed = match arguments.complete {
+        true => Some(completed(template.text, &[], None, colour)?.text),
+        false => None,
+    };
+    let text = completed.as_deref().unwrap_or(template.text);
     match &arguments.output {
         Some(path) => {
-            write_new(path, template.text)?;
+            write_new(path, text)?;
             print(&format!("{}\n", shown(path)))?;
         }
-        None => print(template.text)?,
+        None => print(text)?,
     }
     Ok(DONE)
 }

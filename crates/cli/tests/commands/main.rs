@@ -5,6 +5,7 @@
 mod bad_simulations;
 mod bond_graph;
 mod compare;
+mod complete;
 mod counterweight;
 mod engine;
 mod exit_status;

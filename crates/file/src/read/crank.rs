@@ -33,6 +33,8 @@ pub(super) struct DraftThrow {
     pub(super) web_growth: [f64; 2],
     /// Planes of its webs [m] where the file gives them, front then rear.
     pub(super) web_positions: [Option<f64>; 2],
+    /// What gives its unbalance or masses, if the file gives them.
+    pub(super) weighed: Option<Span>,
 }
 
 impl DraftThrow {
@@ -45,6 +47,7 @@ impl DraftThrow {
             web_span: masses.web_span.clone(),
             web_growth: [0.0; 2],
             web_positions: [None; 2],
+            weighed: masses.weighed.clone(),
         };
         draft.move_by(0.0);
         draft
@@ -74,6 +77,8 @@ pub(super) struct ThrowMasses {
     pub(super) web_distance: Option<f64>,
     radius_span: Span,
     web_span: Span,
+    /// What gives the unbalance, if something does.
+    weighed: Option<Span>,
 }
 
 const UNBALANCE_KEYS: [&str; 4] = ["unbalance", "pin_mass", "web_mass", "web_radius"];
@@ -158,6 +163,9 @@ impl<'a> Reader<'a> {
             Field::Bad => (None, 0..0),
         };
         let unbalance = self.throw_unbalance(layers, radius.as_ref().map(|(radius, _)| *radius));
+        let weighed = layers.with_any(&UNBALANCE_KEYS).and_then(|section| {
+            UNBALANCE_KEYS.iter().find(|key| section.has(key)).map(|key| section.value_span(key))
+        });
         let (radius, radius_span) = radius?;
         Some(ThrowMasses {
             radius,
@@ -165,6 +173,7 @@ impl<'a> Reader<'a> {
             web_distance: web_distance?,
             radius_span,
             web_span,
+            weighed,
         })
     }
 
@@ -185,24 +194,9 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// What the keys of the throw and of `[crank]` say; 0 with `[crank.body]`, from which it is found later.
+    /// What the keys of the throw and of `[crank]` say; 0 where they say nothing: with `[crank.body]` it is found later.
     fn throw_unbalance(&mut self, layers: &Layers<'a>, radius: Option<f64>) -> Option<f64> {
         let Some(section) = layers.with_any(&UNBALANCE_KEYS) else { return Some(0.0) };
-        if let Some(crank) = self.section("crank").0.filter(|crank| crank.has("body")) {
-            for key in UNBALANCE_KEYS.into_iter().filter(|key| section.has(key)) {
-                self.mistakes.push(
-                    Mistake::error(
-                        "E0203",
-                        section.key_span(key),
-                        format!("`{key}` and [crank.body] both give the unbalance of the throw"),
-                    )
-                    .label("second source")
-                    .related(crank.key_span("body"), "first source")
-                    .hint("keep one of the two"),
-                );
-            }
-            return None;
-        }
         let [unbalance, pin, web, web_radius] = UNBALANCE_KEYS.map(|key| section.number(key));
         if section.has("unbalance") {
             let other = UNBALANCE_KEYS[1..].iter().find(|key| section.has(key));

@@ -61,7 +61,9 @@ pub struct LayoutSpace {
 #[non_exhaustive]
 pub enum LayoutSpaceError {
     /// The engine has more than two banks, or unequal ones.
-    #[error("a search knows layouts of one bank or two, and of {engine} {reason}")]
+    #[error(
+        "a search permutes layouts of one bank, or of two alike, on one crankshaft; {engine} is none: {reason}"
+    )]
     Banks {
         /// Name of the engine.
         engine: String,

@@ -76,7 +76,9 @@ pub enum ScatterError {
     #[error("within the tolerances an engine is drawn that cannot be: {0}")]
     Sample(Fault),
     /// An engine of a kind whose scatter is not computed.
-    #[error("the scatter needs {needed}, got {got}")]
+    #[error(
+        "the scatter needs {needed}, got {got}\nhint: its tolerances are those of plain rods on one crankshaft, with shafts at whole multiples of its speed"
+    )]
     Engine {
         /// What is needed.
         needed: &'static str,

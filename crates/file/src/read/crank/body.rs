@@ -1,6 +1,6 @@
 //! `[crank.body]`: journals, pins and webs.
 
-use crate::document::{Field, Section};
+use crate::document::{Field, Section, Span};
 use crate::read::crank::DraftThrow;
 use crate::read::crank::details::{BodyDraft, MaybeBody};
 use crate::read::drafts::Drafts;
@@ -11,19 +11,54 @@ use lanchester_model::{CrankBody, CrankDetails, CrankPlace};
 use lanchester_model::{TOUCH, pin, throw_unbalances};
 use lanchester_units::Dimension;
 
-/// Takes the unbalances of the throws from the body; what stops that is reported elsewhere.
-pub(in crate::read) fn weigh(throws: &mut [Throw], body: &BodyDraft) {
-    if let Some(Some(uniform)) = &body.uniform
-        && let Ok(unbalances) = throw_unbalances(uniform, &body.details, throws)
-    {
-        for (throw, found) in throws.iter_mut().zip(unbalances) {
-            throw.unbalance = found.unbalance;
-            throw.unbalance_offset = found.offset;
-        }
-    }
-}
+/// How far a given unbalance of a throw and that of its body may differ, as a share of the larger one: what a drawing without its
+/// fillets, oil bores and forging drafts misses.
+const AGREE: f64 = 0.05;
 
 impl<'a> Reader<'a> {
+    /// Takes the unbalances of the throws from the body; what stops that is reported elsewhere. What the file gives itself, weighed or
+    /// from a drawing, counts instead, and must agree with the body.
+    pub(in crate::read) fn weigh(
+        &mut self,
+        throws: &mut [Throw],
+        weighed: &[Option<Span>],
+        body: &BodyDraft,
+    ) -> Option<()> {
+        let Some(Some(uniform)) = &body.uniform else { return Some(()) };
+        let Ok(unbalances) = throw_unbalances(uniform, &body.details, throws) else { return Some(()) };
+        let mut agrees = true;
+        for (index, (throw, found)) in throws.iter_mut().zip(unbalances).enumerate() {
+            let Some(span) = weighed.get(index).cloned().flatten() else {
+                throw.unbalance = found.unbalance;
+                throw.unbalance_offset = found.offset;
+                continue;
+            };
+            let largest = throw.unbalance.abs().max(found.unbalance.abs());
+            let is_known = throw.webs.is_some() && agrees;
+            if !is_known || (throw.unbalance - found.unbalance).abs() <= AGREE * largest {
+                continue;
+            }
+            agrees = false;
+            let [given, of_body] = [throw.unbalance, found.unbalance]
+                .map(|unbalance| lanchester_units::readable(unbalance, Dimension::Unbalance));
+            let mut mistake = Mistake::error(
+                "E0203",
+                span,
+                format!(
+                    "throw {} has an unbalance of {given} here, but {of_body} by [crank.body]: they must agree to 5 %",
+                    index + 1
+                ),
+            )
+            .label("second source")
+            .hint("keep one of the two, or correct masses or sizes");
+            if let Some(section) = self.section("crank").0.filter(|crank| crank.has("body")) {
+                mistake = mistake.related(section.key_span("body"), "first source");
+            }
+            self.mistakes.push(mistake);
+        }
+        agrees.then_some(())
+    }
+
     pub(in crate::read) fn body_section(&self) -> Option<&'a Section> {
         self.section("crank").0?.table("body").given()
     }

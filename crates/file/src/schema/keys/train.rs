@@ -23,7 +23,7 @@ pub(super) static CRANK: Table = Table {
             "body",
             Kind::Table(&CRANK_BODY),
             Optional,
-            "Journals, pins and webs as bodies, instead of `unbalance` or masses.",
+            "Journals, pins and webs as bodies, instead of `unbalance` or masses, or beside them.",
             "{ density = \"7850 kg/m3\" }",
         ),
         key(
