@@ -22,6 +22,7 @@ mod prepared;
 mod question;
 mod questions;
 mod select;
+mod solids;
 mod to_python;
 
 use pyo3::prelude::*;

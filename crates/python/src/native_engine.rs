@@ -3,11 +3,13 @@
 use crate::failure::{Failure, diagnostics};
 use crate::from_python::{self, Changes};
 use crate::guard::unlocked;
+use crate::options::Options;
 use crate::prepared::Prepared;
+use crate::solids::{SolidsRequest, solids_file};
 use lanchester::file::{expanded, template, templates};
 use lanchester::model::Engine;
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyList};
+use pyo3::types::{PyBytes, PyDict, PyList};
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -110,6 +112,25 @@ impl NativeEngine {
     /// The general form of its file.
     fn expanded(&self, py: Python<'_>) -> PyResult<String> {
         Ok(unlocked(py, || Ok(expanded(&self.prepared.file)))?)
+    }
+
+    /// Its counterweights, crankshaft or balance shafts as a file of solids or an outline: `ending` says which.
+    fn solids<'py>(
+        &self,
+        py: Python<'py>,
+        ending: &str,
+        options: Bound<'py, PyDict>,
+    ) -> PyResult<Bound<'py, PyBytes>> {
+        let options = Options::new(options);
+        let engine = self.prepared.engine();
+        let last = engine.crankshafts.len().saturating_sub(1) as u64;
+        let asked = SolidsRequest {
+            weights: options.texts("weight")?,
+            shafts: options.texts("shaft")?,
+            crankshaft: options.whole("crankshaft", 0, last)?.unwrap_or(0) as usize,
+            facet: options.length("facet")?,
+        };
+        Ok(PyBytes::new(py, &unlocked(py, || solids_file(engine, ending, &asked))?))
     }
 
     /// Warnings of its reader.

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import os
 import pickle
+import subprocess
 from pathlib import Path
 from typing import Any
 
@@ -12,6 +14,7 @@ import pytest
 import lanchester
 from lanchester import Engine, EngineFileError, RequestError
 
+WEIGHTS = Path(__file__).parents[3] / "examples" / "in-line-3-counterweights.toml"
 SINGLE: dict[str, Any] = {
     "name": "single",
     "speed": "6000 rpm",
@@ -150,3 +153,39 @@ def test_engines_are_values() -> None:
 
 def test_the_version_is_that_of_the_program() -> None:
     assert lanchester.__version__.count(".") == 2
+
+
+@pytest.mark.parametrize("ending", ["step", "stl", "glb", "svg", "dxf"])
+def test_solids_are_the_bytes_of_the_command_line(tmp_path: Path, ending: str) -> None:
+    program = os.environ.get("LANCHESTER_PROGRAM")
+    if program is None:
+        pytest.skip("LANCHESTER_PROGRAM names no program; `cargo xtask python` does")
+    fitted = Engine.read(WEIGHTS).counterweight().adopt()
+    file = fitted.save(tmp_path / "engine.toml")
+    name: list[str] = ["web 1"] if ending in ("svg", "dxf") else []
+    own = fitted.save_solids(tmp_path / f"own.{ending}", weight=name)
+    theirs = tmp_path / f"theirs.{ending}"
+    line = [program, "counterweight", "export", str(file), "--output", str(theirs), *(word for own in name for word in ("--weight", own))]
+    subprocess.run(line, check=True, capture_output=True)
+    assert own.read_bytes() == theirs.read_bytes() and own.stat().st_size > 100
+
+
+def test_solids_that_cannot_be_written_say_why(tmp_path: Path) -> None:
+    fitted = Engine.read(WEIGHTS).counterweight().adopt()
+    with pytest.raises(lanchester.RequestError, match="must end in step, stl, glb, dxf or svg"):
+        fitted.save_solids(tmp_path / "crankshaft.obj")
+    with pytest.raises(lanchester.RequestError, match="outline of one part"):
+        fitted.save_solids(tmp_path / "crankshaft.svg")
+    with pytest.raises(lanchester.RequestError, match="STL and glTF alone"):
+        fitted.save_solids(tmp_path / "crankshaft.step", facet=1e-5)
+    with pytest.raises(lanchester.RequestError):
+        fitted.save_solids(tmp_path / "crankshaft.stl", facet=-1e-5)
+    with pytest.raises(lanchester.RequestError):
+        fitted.save_solids(tmp_path / "crankshaft.step", weight="no such weight")
+    with pytest.raises(lanchester.RequestError):
+        fitted.save_solids(tmp_path / "crankshaft.step", crankshaft=1)
+    kept = fitted.save_solids(tmp_path / "crankshaft.step")
+    before = kept.read_bytes()
+    with pytest.raises(lanchester.RequestError, match="not overwritten"):
+        fitted.save_solids(kept, weight="web 1")
+    assert kept.read_bytes() == before and len(list(tmp_path.iterdir())) == 1

@@ -225,6 +225,39 @@ class Engine:
             raise RequestError(f"{place} exists and is not overwritten", "choose another name, or add overwrite=True") from None
         return place
 
+    def save_solids(
+        self,
+        path: str | PathLike[str],
+        *,
+        weight: Limits = (),
+        shaft: Limits = (),
+        crankshaft: int = 0,
+        facet: Quantity | None = None,
+        overwrite: bool = False,
+    ) -> Path:
+        """Writes its parts for CAD; the ending of the name says how: step, stl or glb for solids, dxf or svg for the outline of one part.
+
+        Default: the first crankshaft with its counterweights and the balance shafts around it, without ``[crank.body]`` the counterweights alone.
+        `weight`: only these counterweights; `shaft`: only these balance shafts; `facet` [m]: largest distance between a true arc and the facets of
+        STL and glTF, else 0.01 mm.
+
+        >>> import lanchester
+        >>> try:
+        ...     lanchester.Engine.template("in-line-4").save_solids("crankshaft.obj")
+        ... except lanchester.RequestError as error:
+        ...     error.message != ""
+        True
+        """
+        place = Path(path)
+        options = {"weight": weight, "shaft": shaft, "crankshaft": crankshaft, "facet": facet}
+        content = self._native.solids(place.suffix.lower().removeprefix("."), options)
+        try:
+            with place.open("wb" if overwrite else "xb") as file:
+                file.write(content)
+        except FileExistsError:
+            raise RequestError(f"{place} exists and is not overwritten", "choose another name, or add overwrite=True") from None
+        return place
+
     def with_(self, changes: Mapping[str, Any] | None = None, /, **tables: Any) -> Engine:
         """A copy with other values of keys of the engine file; comments and order are preserved.
 
