@@ -293,9 +293,13 @@ pub struct NewArguments {
     /// Add typical values for what the file leaves out, as `complete` does.
     #[arg(long, conflicts_with = "list")]
     pub complete: bool,
-    /// Write to this file instead of standard output; never overwrites.
+    /// Write to this file instead of standard output; never overwrites. Its first line names lanchester.schema.json, which is put beside it:
+    /// editors complete and check keys by it.
     #[arg(long, short, value_name = "FILE")]
     pub output: Option<PathBuf>,
+    /// Write neither that line nor the schema.
+    #[arg(long, requires = "output")]
+    pub no_schema: bool,
     /// Form of the list.
     #[arg(long, value_enum, default_value_t = Format::Text, conflicts_with = "name")]
     pub format: Format,

@@ -140,6 +140,24 @@ pub fn write_new(path: &Path, content: impl AsRef<[u8]>) -> Result<(), Failure> 
     })
 }
 
+/// Write a file that is the program's own: made where there is none, made anew where it holds `mark`, else left alone. Whether it is there
+/// as it should be.
+pub fn write_own(path: &Path, mark: &str, content: &str) -> Result<bool, Failure> {
+    let held = fs::read_to_string(path);
+    let over = match &held {
+        Ok(held) if held == content => return Ok(true),
+        Ok(held) if held.contains(mark) => Over::Anything,
+        Err(error) if error.kind() == io::ErrorKind::NotFound => Over::Nothing,
+        _ => return Ok(false),
+    };
+    put(path, over, content.as_bytes()).map(|()| true).map_err(|error| {
+        Failure::input(
+            format_args!("cannot write {}: {error}", shown(path)),
+            "choose another place with --output",
+        )
+    })
+}
+
 /// Put `text` in the place of an engine file that still reads `before`: whole or not at all, links, owner and permissions
 /// kept.
 pub fn rewrite(path: &Path, before: &str, text: &str) -> Result<(), Failure> {

@@ -55,7 +55,8 @@ pub use read::simulation::event::event_from_words;
 pub use read::simulation::start::{StartOfRun, start_from_words};
 pub use read::{Reading, read};
 pub use schema::{
-    KeyInfo, KeyTable, json_schema, key_tables, reference_markdown, sheet_reference_markdown, sheet_schema,
+    KeyInfo, KeyTable, SCHEMA_ID, json_schema, key_tables, reference_markdown, sheet_reference_markdown,
+    sheet_schema,
 };
 pub use template::{Template, nearest_template, template, templates};
 pub use typical::{CompleteError, Completed, EngineKind, LeftOut, TypicalSection, complete};

@@ -6,7 +6,7 @@ mod key_tables;
 mod keys;
 mod reference;
 
-pub use json::{json_schema, sheet_schema};
+pub use json::{SCHEMA_ID, json_schema, sheet_schema};
 pub use key_tables::{KeyInfo, KeyTable, key_tables};
 pub(crate) use keys::{FILE, key, quantity};
 pub use reference::{reference_markdown, sheet_reference_markdown};

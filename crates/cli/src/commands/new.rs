@@ -4,11 +4,15 @@ use crate::arguments::NewArguments;
 use crate::commands::complete::completed;
 use crate::commands::json;
 use crate::failure::{DONE, Failure};
-use crate::files::{print, write_new};
+use crate::files::{print, tell, write_new, write_own};
 use crate::format::Format;
-use lanchester::file::{nearest_template, template, templates};
+use lanchester::file::{SCHEMA_ID, json_schema, nearest_template, template, templates};
 use lanchester::report::csv_text;
 use lanchester_files::shown;
+use std::path::Path;
+
+/// The schema beside engine files, for completion in editors.
+const SCHEMA: &str = "lanchester.schema.json";
 
 pub fn run(arguments: &NewArguments, colour: bool) -> Result<u8, Failure> {
     let Some(name) = &arguments.name else { return list(arguments.format) };
@@ -26,13 +30,31 @@ pub fn run(arguments: &NewArguments, colour: bool) -> Result<u8, Failure> {
     };
     let text = completed.as_deref().unwrap_or(template.text);
     match &arguments.output {
-        Some(path) => {
+        Some(path) if arguments.no_schema => {
             write_new(path, text)?;
             print(&format!("{}\n", shown(path)))?;
+        }
+        Some(path) => {
+            write_new(path, format!("#:schema ./{SCHEMA}\n{text}"))?;
+            print(&format!("{}\n", shown(path)))?;
+            keep_schema(path)?;
         }
         None => print(text)?,
     }
     Ok(DONE)
+}
+
+/// Puts the schema that the first line of an engine file names beside it.
+fn keep_schema(engine_file: &Path) -> Result<(), Failure> {
+    let place = engine_file.with_file_name(SCHEMA);
+    let is_kept = write_own(&place, SCHEMA_ID, &json(&json_schema())?)?;
+    if !is_kept {
+        tell(format_args!(
+            "note: {} is no schema of lanchester and is left alone; `lanchester schema` prints the one that editors complete from",
+            shown(&place)
+        ));
+    }
+    Ok(())
 }
 
 fn list(format: Format) -> Result<u8, Failure> {

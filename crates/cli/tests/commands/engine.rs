@@ -18,6 +18,29 @@ fn every_template_is_valid_and_comes_back_as_it_was_listed() {
 }
 
 #[test]
+fn a_new_file_names_the_schema_beside_it() {
+    let folder = folder("new-schema");
+    let (engine, schema) = (folder.join("four.toml"), folder.join("lanchester.schema.json"));
+    let read = |path: &std::path::Path| fs::read_to_string(path).unwrap();
+    assert_eq!(output(&folder, 0, &["new", "in-line-4", "--output", "four.toml"]), "four.toml\n");
+    assert!(read(&engine).starts_with("#:schema ./lanchester.schema.json\n"));
+    let whole = output(&folder, 0, &["schema"]);
+    assert_eq!(read(&schema), whole);
+    assert!(whole.contains("\"$id\": \"urn:lanchester:engine-file:"), "{}", &whole[..200]);
+    assert!(output(&folder, 0, &["check", "four.toml"]).contains("valid"));
+    // One of an earlier version is made anew, somebody else's is left alone, and who wants none has none.
+    fs::write(&schema, "{ \"$id\": \"urn:lanchester:engine-file:0.0.1\" }").unwrap();
+    output(&folder, 0, &["new", "in-line-3", "--output", "three.toml"]);
+    assert_eq!(read(&schema), whole);
+    fs::write(&schema, "mine").unwrap();
+    let told = lanchester(&folder, &["new", "in-line-6", "--output", "six.toml"]);
+    assert!(told.status.success() && String::from_utf8_lossy(&told.stderr).contains("left alone"));
+    assert_eq!(read(&schema), "mine");
+    output(&folder, 0, &["new", "v6-60", "--no-schema", "--output", "v6.toml"]);
+    assert_eq!(read(&folder.join("v6.toml")), output(&folder, 0, &["new", "v6-60"]));
+}
+
+#[test]
 fn a_users_file_is_never_overwritten() {
     let folder = folder("overwrite");
     fs::write(folder.join("mine.toml"), "name = \"mine\"").unwrap();

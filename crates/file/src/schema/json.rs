@@ -9,18 +9,22 @@ use serde_json::{Map, Value, json};
 ///
 /// It says what each key holds; what only the engine as a whole can tell, [`read`](crate::read) checks.
 pub fn json_schema() -> Value {
-    schema_of(&FILE, "Lanchester engine file")
+    schema_of(&FILE, "engine-file", "Lanchester engine file")
 }
 
 /// JSON Schema (draft 2020-12) of the workshop sheet.
 pub fn sheet_schema() -> Value {
-    schema_of(&SHEET, "Lanchester workshop sheet")
+    schema_of(&SHEET, "workshop-sheet", "Lanchester workshop sheet")
 }
 
-fn schema_of(file: &Table, title: &str) -> Value {
+/// What the name of every schema of ours begins with.
+pub const SCHEMA_ID: &str = "urn:lanchester:";
+
+fn schema_of(file: &Table, name: &str, title: &str) -> Value {
     let Value::Object(mut root) = table_schema(file) else { return Value::Null };
     let mut schema = Map::new();
     schema.insert("$schema".into(), json!("https://json-schema.org/draft/2020-12/schema"));
+    schema.insert("$id".into(), json!(format!("{SCHEMA_ID}{name}:{}", env!("CARGO_PKG_VERSION"))));
     schema.insert("title".into(), json!(title));
     schema.append(&mut root);
     let definitions: Map<String, Value> = Dimension::ALL

@@ -6,7 +6,7 @@ use std::path::Path;
 
 fn template(folder: &Path, name: &str) -> String {
     let file = format!("{name}.toml");
-    output(folder, 0, &["new", name, "--output", &file]);
+    output(folder, 0, &["new", name, "--no-schema", "--output", &file]);
     file
 }
 
