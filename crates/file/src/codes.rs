@@ -115,6 +115,7 @@ static CODES: &[(&str, &str)] = &[
     ("E1802", "nothing that can happen in a run"),
     ("E1803", "a load, a starter or a profile that cannot be"),
     ("E1901", "a list of stiffnesses that does not fit the crankshaft"),
+    ("W0203", "two sources that differ a little"),
     ("W0204", "something without effect"),
     ("W0404", "a rod with much inertia"),
     ("W0502", "bores that overlap"),

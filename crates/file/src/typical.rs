@@ -20,7 +20,7 @@ pub use kind::EngineKind;
 pub use section::TypicalSection;
 
 use crate::read::read_with_origin;
-use crate::write_back::{Edit, edit};
+use crate::write_back::{Edit, EditError, edit};
 use crate::{EngineFile, FileEntry, file_entries, read};
 use lanchester_diagnostic::Diagnostic;
 use serde::Serialize;
@@ -109,7 +109,13 @@ pub fn complete(
                 continue;
             }
             Found::Blocks(blocks) => with_blocks(&done.text, &blocks),
-            Found::Keys(keys) => with_keys(&done.text, &keys),
+            Found::Keys(keys) => match with_keys(&done.text, &keys) {
+                Ok(text) => text,
+                Err(error) => {
+                    done.left_out.push(LeftOut { section, why: error.to_string() });
+                    continue;
+                }
+            },
         };
         let reading = read(&text);
         if reading.file.is_none() {
@@ -179,17 +185,16 @@ fn with_blocks(text: &str, blocks: &[Block]) -> String {
 }
 
 /// The text with keys set, each with its comment where its line has room for one.
-fn with_keys(text: &str, keys: &[(String, Json, String)]) -> String {
+fn with_keys(text: &str, keys: &[(String, Json, String)]) -> Result<String, EditError> {
     let mut text = text.to_string();
     for (path, value, comment) in keys {
         let change = Edit { path: path.clone(), value: value.clone() };
-        let Ok(edited) = edit(&text, &[change]) else { continue };
-        text = edited;
+        text = edit(&text, &[change])?;
         let Some(entry) = file_entries(&text).into_iter().find(|entry| entry.path == *path) else { continue };
         let stop = text[entry.span.end..].find(['\r', '\n']).map_or(text.len(), |at| entry.span.end + at);
         if text[entry.span.end..stop].trim().is_empty() {
             text.replace_range(entry.span.end..stop, &format!("  # typical: {comment}"));
         }
     }
-    text
+    Ok(text)
 }

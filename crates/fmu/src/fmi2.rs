@@ -4,7 +4,7 @@
 #![allow(unsafe_code)]
 #![allow(non_snake_case, reason = "the standard's names")]
 
-use crate::handle::{self, ERROR, Log, c_text, folder_of, list, list_mut, text, with};
+use crate::handle::{self, ERROR, Log, c_text, list_mut, text, with};
 use crate::instance::{Instance, Phase};
 use std::ffi::{c_char, c_void};
 
@@ -67,9 +67,8 @@ pub unsafe extern "C" fn fmi2Instantiate(
     _visible: i32,
     _logging: i32,
 ) -> *mut c_void {
-    // SAFETY: strings of the caller, which are null or end with a zero; callbacks that are null or what the standard says.
-    let (own_name, guid, resources, callbacks) =
-        unsafe { (text(name), text(guid), text(resources), callbacks.as_ref()) };
+    // SAFETY: a string that is null or ends with a zero; callbacks that are null or what the standard says.
+    let (own_name, callbacks) = unsafe { (text(name), callbacks.as_ref()) };
     let logger = callbacks.and_then(|own| own.logger);
     let environment = callbacks.map_or(std::ptr::null_mut(), |own| own.environment);
     let own_name = c_text(own_name.as_deref().unwrap_or("lanchester"));
@@ -90,15 +89,12 @@ pub unsafe extern "C" fn fmi2Instantiate(
             }
         }
     });
-    let make = || {
-        if kind != 1 {
-            return Err("the unit is one for co-simulation, not for model exchange".to_owned());
-        }
-        let needed = |what: Option<String>, name: &str| what.ok_or_else(|| format!("there is no {name}"));
-        let folder = folder_of(&needed(resources, "address of the resources")?)?;
-        Instance::new(&folder, &needed(guid, "GUID")?)
+    let kind = match kind {
+        1 => Ok(()),
+        _ => Err("the unit is one for co-simulation, not for model exchange".to_owned()),
     };
-    handle::made(make, log)
+    // SAFETY: strings of the caller, which are null or end with a zero.
+    unsafe { handle::made_from(guid, resources, kind, log) }
 }
 
 /// Frees an instance.
@@ -179,14 +175,8 @@ pub unsafe extern "C" fn fmi2GetReal(
     count: usize,
     values: *mut f64,
 ) -> i32 {
-    with(component, |instance| {
-        // SAFETY: arrays of `count` by the standard.
-        let (references, values) = unsafe { (list(references, count)?, list_mut(values, count)?) };
-        for (value, reference) in values.iter_mut().zip(references) {
-            *value = instance.number(*reference)?;
-        }
-        Ok(())
-    })
+    // SAFETY: arrays of these lengths by the standard.
+    unsafe { handle::get(component, (references, count), (values, count), Instance::number) }
 }
 
 /// Sets numbers.
@@ -200,14 +190,8 @@ pub unsafe extern "C" fn fmi2SetReal(
     count: usize,
     values: *const f64,
 ) -> i32 {
-    with(component, |instance| {
-        // SAFETY: arrays of `count` by the standard.
-        let (references, values) = unsafe { (list(references, count)?, list(values, count)?) };
-        references
-            .iter()
-            .zip(values)
-            .try_for_each(|(reference, value)| instance.set_number(*reference, *value))
-    })
+    // SAFETY: arrays of these lengths by the standard.
+    unsafe { handle::set(component, (references, count), (values, count), Instance::set_number) }
 }
 
 /// Booleans by their references.
@@ -221,14 +205,12 @@ pub unsafe extern "C" fn fmi2GetBoolean(
     count: usize,
     values: *mut i32,
 ) -> i32 {
-    with(component, |instance| {
-        // SAFETY: arrays of `count` by the standard.
-        let (references, values) = unsafe { (list(references, count)?, list_mut(values, count)?) };
-        for (value, reference) in values.iter_mut().zip(references) {
-            *value = i32::from(instance.flag(*reference)?);
-        }
-        Ok(())
-    })
+    // SAFETY: arrays of these lengths by the standard.
+    unsafe {
+        handle::get(component, (references, count), (values, count), |instance, reference| {
+            instance.flag(reference).map(i32::from)
+        })
+    }
 }
 
 /// Sets Booleans.
@@ -242,14 +224,12 @@ pub unsafe extern "C" fn fmi2SetBoolean(
     count: usize,
     values: *const i32,
 ) -> i32 {
-    with(component, |instance| {
-        // SAFETY: arrays of `count` by the standard.
-        let (references, values) = unsafe { (list(references, count)?, list(values, count)?) };
-        references
-            .iter()
-            .zip(values)
-            .try_for_each(|(reference, value)| instance.set_flag(*reference, *value != 0))
-    })
+    // SAFETY: arrays of these lengths by the standard.
+    unsafe {
+        handle::set(component, (references, count), (values, count), |instance, reference, value| {
+            instance.set_flag(reference, value != 0)
+        })
+    }
 }
 
 /// Goes on by a step with the inputs held.

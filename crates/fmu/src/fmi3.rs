@@ -4,7 +4,7 @@
 #![allow(unsafe_code)]
 #![allow(non_snake_case, reason = "the standard's names")]
 
-use crate::handle::{self, ERROR, Log, c_text, folder_of, list, list_mut, text, with};
+use crate::handle::{self, ERROR, Log, c_text, list_mut, with};
 use crate::instance::{Instance, Phase};
 use std::ffi::{c_char, c_void};
 
@@ -63,13 +63,7 @@ pub unsafe extern "C" fn fmi3InstantiateCoSimulation(
     _intermediate_update: *const c_void,
 ) -> *mut c_void {
     // SAFETY: strings of the caller, which are null or end with a zero.
-    let (token, resources) = unsafe { (text(token), text(resources)) };
-    let make = || {
-        let needed = |what: Option<String>, name: &str| what.ok_or_else(|| format!("there is no {name}"));
-        let folder = folder_of(&needed(resources, "path of the resources")?)?;
-        Instance::new(&folder, &needed(token, "instantiation token")?)
-    };
-    handle::made(make, log_to(logger, environment))
+    unsafe { handle::made_from(token, resources, Ok(()), log_to(logger, environment)) }
 }
 
 /// Refused: the unit is one for co-simulation.
@@ -86,8 +80,9 @@ pub unsafe extern "C" fn fmi3InstantiateModelExchange(
     environment: *mut c_void,
     logger: Logger,
 ) -> *mut c_void {
-    let refused = || Err("the unit is one for co-simulation, not for model exchange".to_owned());
-    handle::made(refused, log_to(logger, environment))
+    let refused = Err("the unit is one for co-simulation, not for model exchange".to_owned());
+    // SAFETY: no string is read.
+    unsafe { handle::made_from(std::ptr::null(), std::ptr::null(), refused, log_to(logger, environment)) }
 }
 
 /// Refused: the unit is one for co-simulation.
@@ -107,8 +102,9 @@ pub unsafe extern "C" fn fmi3InstantiateScheduledExecution(
     _lock: *const c_void,
     _unlock: *const c_void,
 ) -> *mut c_void {
-    let refused = || Err("the unit is one for co-simulation, not for scheduled execution".to_owned());
-    handle::made(refused, log_to(logger, environment))
+    let refused = Err("the unit is one for co-simulation, not for scheduled execution".to_owned());
+    // SAFETY: no string is read.
+    unsafe { handle::made_from(std::ptr::null(), std::ptr::null(), refused, log_to(logger, environment)) }
 }
 
 /// Frees an instance.
@@ -181,15 +177,8 @@ pub unsafe extern "C" fn fmi3GetFloat64(
     values: *mut f64,
     value_count: usize,
 ) -> i32 {
-    with(component, |instance| {
-        // SAFETY: arrays of these lengths by the standard.
-        let (references, values) = unsafe { (list(references, count)?, list_mut(values, value_count)?) };
-        same_length(count, value_count)?;
-        for (value, reference) in values.iter_mut().zip(references) {
-            *value = instance.number(*reference)?;
-        }
-        Ok(())
-    })
+    // SAFETY: arrays of these lengths by the standard.
+    unsafe { handle::get(component, (references, count), (values, value_count), Instance::number) }
 }
 
 /// Sets numbers.
@@ -204,15 +193,8 @@ pub unsafe extern "C" fn fmi3SetFloat64(
     values: *const f64,
     value_count: usize,
 ) -> i32 {
-    with(component, |instance| {
-        // SAFETY: arrays of these lengths by the standard.
-        let (references, values) = unsafe { (list(references, count)?, list(values, value_count)?) };
-        same_length(count, value_count)?;
-        references
-            .iter()
-            .zip(values)
-            .try_for_each(|(reference, value)| instance.set_number(*reference, *value))
-    })
+    // SAFETY: arrays of these lengths by the standard.
+    unsafe { handle::set(component, (references, count), (values, value_count), Instance::set_number) }
 }
 
 /// Booleans by their references.
@@ -227,15 +209,12 @@ pub unsafe extern "C" fn fmi3GetBoolean(
     values: *mut u8,
     value_count: usize,
 ) -> i32 {
-    with(component, |instance| {
-        // SAFETY: arrays of these lengths by the standard.
-        let (references, values) = unsafe { (list(references, count)?, list_mut(values, value_count)?) };
-        same_length(count, value_count)?;
-        for (value, reference) in values.iter_mut().zip(references) {
-            *value = u8::from(instance.flag(*reference)?);
-        }
-        Ok(())
-    })
+    // SAFETY: arrays of these lengths by the standard.
+    unsafe {
+        handle::get(component, (references, count), (values, value_count), |instance, reference| {
+            instance.flag(reference).map(u8::from)
+        })
+    }
 }
 
 /// Sets Booleans.
@@ -250,22 +229,12 @@ pub unsafe extern "C" fn fmi3SetBoolean(
     values: *const u8,
     value_count: usize,
 ) -> i32 {
-    with(component, |instance| {
-        // SAFETY: arrays of these lengths by the standard.
-        let (references, values) = unsafe { (list(references, count)?, list(values, value_count)?) };
-        same_length(count, value_count)?;
-        references
-            .iter()
-            .zip(values)
-            .try_for_each(|(reference, value)| instance.set_flag(*reference, *value != 0))
-    })
-}
-
-fn same_length(references: usize, values: usize) -> Result<(), String> {
-    if references == values {
-        return Ok(());
+    // SAFETY: arrays of these lengths by the standard.
+    unsafe {
+        handle::set(component, (references, count), (values, value_count), |instance, reference, value| {
+            instance.set_flag(reference, value != 0)
+        })
     }
-    Err(format!("every variable is one value: {references} references come with {values} values"))
 }
 
 /// Goes on by a step with the inputs held.

@@ -17,7 +17,7 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 
 /// Status of both standards: all is well.
 pub const OK: i32 = 0;
-/// The call was refused; the instance is as before.
+/// The call was refused; time and crank angle are as before.
 pub const ERROR: i32 = 3;
 /// The instance is of no more use.
 pub const FATAL: i32 = 4;
@@ -63,7 +63,7 @@ fn take_back<T: 'static>(pointer: *mut c_void) -> Option<Box<T>> {
 }
 
 /// Makes an instance; null, with a message, where it cannot be.
-pub fn made(make: impl FnOnce() -> Result<Instance, String>, log: Log) -> *mut c_void {
+fn made(make: impl FnOnce() -> Result<Instance, String>, log: Log) -> *mut c_void {
     match catch_unwind(AssertUnwindSafe(make)) {
         Ok(Ok(instance)) => hand_out(Component { instance, log }),
         Ok(Err(message)) => {
@@ -172,7 +172,7 @@ pub unsafe fn text(pointer: *const c_char) -> Option<String> {
 ///
 /// # Safety
 /// The pointer is null or holds as many.
-pub unsafe fn list<'a, T>(pointer: *const T, count: usize) -> Result<&'a [T], String> {
+unsafe fn list<'a, T>(pointer: *const T, count: usize) -> Result<&'a [T], String> {
     if count == 0 {
         return Ok(&[]);
     }
@@ -198,6 +198,74 @@ pub unsafe fn list_mut<'a, T>(pointer: *mut T, count: usize) -> Result<&'a mut [
     Ok(unsafe { std::slice::from_raw_parts_mut(pointer, count) })
 }
 
+/// As many references as values.
+fn paired(references: usize, values: usize) -> Result<(), String> {
+    if references == values {
+        return Ok(());
+    }
+    Err(format!("every variable is one value: {references} references come with {values} values"))
+}
+
+/// Values of variables by their references.
+///
+/// # Safety
+/// The pointers are null or hold as many as is said.
+pub unsafe fn get<T>(
+    component: *mut c_void,
+    (references, count): (*const u32, usize),
+    (values, value_count): (*mut T, usize),
+    of: impl Fn(&mut Instance, u32) -> Result<T, String>,
+) -> i32 {
+    with(component, |instance| {
+        // SAFETY: by the caller.
+        let (references, values) = unsafe { (list(references, count)?, list_mut(values, value_count)?) };
+        paired(count, value_count)?;
+        for (value, reference) in values.iter_mut().zip(references) {
+            *value = of(instance, *reference)?;
+        }
+        Ok(())
+    })
+}
+
+/// Sets variables by their references.
+///
+/// # Safety
+/// The pointers are null or hold as many as is said.
+pub unsafe fn set<T: Copy>(
+    component: *mut c_void,
+    (references, count): (*const u32, usize),
+    (values, value_count): (*const T, usize),
+    set: impl Fn(&mut Instance, u32, T) -> Result<(), String>,
+) -> i32 {
+    with(component, |instance| {
+        // SAFETY: by the caller.
+        let (references, values) = unsafe { (list(references, count)?, list(values, value_count)?) };
+        paired(count, value_count)?;
+        references.iter().zip(values).try_for_each(|(reference, value)| set(instance, *reference, *value))
+    })
+}
+
+/// Makes an instance from what a program hands over; null, with a message, where it cannot be.
+///
+/// # Safety
+/// The strings are null or end with a zero.
+pub unsafe fn made_from(
+    token: *const c_char,
+    resources: *const c_char,
+    kind: Result<(), String>,
+    log: Log,
+) -> *mut c_void {
+    // SAFETY: by the caller.
+    let (token, resources) = unsafe { (text(token), text(resources)) };
+    let make = || {
+        kind?;
+        let needed = |what: Option<String>, name: &str| what.ok_or_else(|| format!("there is no {name}"));
+        let folder = folder_of(&needed(resources, "folder of the resources")?)?;
+        Instance::new(&folder, &needed(token, "token of the description")?)
+    };
+    made(make, log)
+}
+
 /// A text for C, which cannot hold zeros.
 pub fn c_text(text: &str) -> CString {
     CString::new(text.replace('\0', " ")).unwrap_or_default()
@@ -207,7 +275,7 @@ pub fn c_text(text: &str) -> CString {
 ///
 /// # Errors
 /// For an address of another kind.
-pub fn folder_of(address: &str) -> Result<PathBuf, String> {
+fn folder_of(address: &str) -> Result<PathBuf, String> {
     let Some(rest) = address.strip_prefix("file:") else {
         return match address.split_once("://") {
             Some((scheme, _)) => Err(format!("resources at `{scheme}:` cannot be read: they must be files")),

@@ -204,6 +204,7 @@ impl Instance {
         if !(step >= 0.0 && step.is_finite()) {
             return Err(format!("a step must be 0 s or more, and is {step} s"));
         }
+        let before = self.state.clone();
         let state = &mut self.state;
         // A sum of many steps that loses nothing (Neumaier).
         let (angle, by) = (state.angle[0], state.speed * step);
@@ -212,10 +213,7 @@ impl Instance {
         state.angle[0] = sum;
         state.time = now + step;
         state.loads = None;
-        if self.count > LoadsModel::FIRST_LOAD {
-            self.number(LoadsModel::FIRST_LOAD)?;
-        }
-        Ok(())
+        self.number(LoadsModel::FIRST_LOAD).map(|_| ()).inspect_err(|_| self.state = before)
     }
 
     /// Time [s].

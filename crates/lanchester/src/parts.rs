@@ -31,7 +31,7 @@ pub use shaft_weights::{
     design_shaft_weights, named_shaft_weights, shaft_weights_to_design, with_shaft_weights,
 };
 pub use shape_front::CounterweightFront;
-pub use solids::{crankshaft_parts, engine_parts, shaft_parts};
+pub use solids::{chosen_parts, crankshaft_parts, engine_parts, shaft_parts};
 pub use web_bounds::{WebBoundError, optimise_on_webs};
 pub use web_excess::{WebExcess, WebExcesses, web_excesses};
 pub use weights_as_parts::{WeightAsPart, weights_as_parts};

@@ -214,7 +214,7 @@ fn a_body_without_mass_is_refused() {
     assert!(message.contains("damping ratio"), "{message}");
 }
 
-/// An in-line six about the middle of its block: nothing tilts it but rounding, which must not be followed.
+/// Engines that are symmetric about the middle of their blocks: nothing tilts them but rounding, which must not be followed.
 #[test]
 fn what_symmetry_keeps_at_zero_costs_no_steps() {
     const BLOCK: &str = "[block]\nmass = \"90 kg\"\ncentre = [\"60 mm\", \"0 mm\", \"0 mm\"]\n\

@@ -22,14 +22,7 @@ pub fn run(arguments: &CompleteArguments, colour: bool) -> Result<u8, Failure> {
         arguments.section.iter().filter_map(|word| TypicalSection::of_word(word)).collect();
     let kind = arguments.kind.as_deref().and_then(EngineKind::of_word);
     let completed = completed(before, &sections, kind, colour)?;
-    let added: Vec<&str> = completed.added.iter().map(|section| section.word()).collect();
-    match added.as_slice() {
-        [] => tell(format_args!("{name} needs no typical values here")),
-        added => tell(format_args!("typical values of kind {} for {}", completed.kind, added.join(", "))),
-    }
-    for left in &completed.left_out {
-        tell(format_args!("{} is left out: {}", left.section, left.why));
-    }
+    tell_of(&completed, name);
     if arguments.dry_run {
         print(&difference(before, &completed.text, name))?;
     } else if arguments.write {
@@ -45,6 +38,18 @@ pub fn run(arguments: &CompleteArguments, colour: bool) -> Result<u8, Failure> {
     }
     let is_missed = completed.left_out.iter().any(|left| sections.contains(&left.section));
     Ok(if is_missed { NOT_AS_EXPECTED } else { DONE })
+}
+
+/// Tells what was added to the file of this name, and what was left out.
+pub fn tell_of(completed: &Completed, name: &str) {
+    let added: Vec<&str> = completed.added.iter().map(|section| section.word()).collect();
+    match added.as_slice() {
+        [] => tell(format_args!("{name} needs no typical values here")),
+        added => tell(format_args!("typical values of kind {} for {}", completed.kind, added.join(", "))),
+    }
+    for left in &completed.left_out {
+        tell(format_args!("{} is left out: {}", left.section, left.why));
+    }
 }
 
 /// The text with typical values.

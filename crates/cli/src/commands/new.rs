@@ -1,7 +1,7 @@
 //! `lanchester new`: an engine file to start from.
 
 use crate::arguments::NewArguments;
-use crate::commands::complete::completed;
+use crate::commands::complete::{completed, tell_of};
 use crate::commands::json;
 use crate::failure::{DONE, Failure};
 use crate::files::{print, tell, write_new, write_own};
@@ -25,7 +25,11 @@ pub fn run(arguments: &NewArguments, colour: bool) -> Result<u8, Failure> {
         ));
     };
     let completed = match arguments.complete {
-        true => Some(completed(template.text, &[], None, colour)?.text),
+        true => {
+            let completed = completed(template.text, &[], None, colour)?;
+            tell_of(&completed, template.name);
+            Some(completed.text)
+        }
         false => None,
     };
     let text = completed.as_deref().unwrap_or(template.text);

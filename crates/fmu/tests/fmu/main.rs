@@ -148,6 +148,26 @@ fn a_saved_state_comes_back() {
 }
 
 #[test]
+fn a_step_that_cannot_be_leaves_time_and_angle() {
+    // A cycle with heat release needs a speed.
+    let text = include_str!("../../../../examples/single-gas.toml");
+    let unit = instance2(&resources("standstill", text), &unit_token(text));
+    // SAFETY: one reference and one value.
+    unsafe {
+        assert_eq!(fmi2EnterInitializationMode(unit), OK);
+        assert_eq!(fmi2ExitInitializationMode(unit), OK);
+        assert_eq!(fmi2DoStep(unit, 0.0, 0.01, 1), OK);
+        let before = numbers(unit, &[0, 4]);
+        assert_eq!(fmi2SetReal(unit, &1u32, 1, &0.0), OK);
+        assert_eq!(fmi2DoStep(unit, 0.01, 0.01, 1), ERROR);
+        assert_eq!(numbers(unit, &[0, 4]), before);
+        assert_eq!(fmi2SetBoolean(unit, &2u32, 1, &0), OK);
+        assert_eq!(fmi2DoStep(unit, 0.01, 0.01, 1), OK);
+        fmi2FreeInstance(unit);
+    }
+}
+
+#[test]
 fn what_a_program_should_not_do_is_an_error_and_no_crash() {
     let folder = resources("hostile", ENGINE);
     let token = unit_token(ENGINE);

@@ -1,6 +1,6 @@
 //! Why a part cannot be exported.
 
-use lanchester_shape::Point;
+use lanchester_shape::{GeometryError, Point};
 
 /// A point in the words of a message.
 fn place(point: &Point) -> String {
@@ -14,6 +14,17 @@ pub enum ExportError {
     /// Nothing to export.
     #[error("an export needs at least one part, got none\nhint: name a part")]
     NoPart,
+    /// Several parts where an outline is asked for.
+    #[error(
+        "a drawing holds the outline of one part, got {got}\nhint: name one counterweight, or one balance shaft of one weight"
+    )]
+    OneOutline {
+        /// How many.
+        got: usize,
+    },
+    /// A part whose outline cannot be drawn.
+    #[error(transparent)]
+    Outline(#[from] GeometryError),
     /// A chamfer that begins along the outline, or touches it where it does not cross it.
     #[error(
         "{part}: a chamfer touches the outline at {} without crossing it\nhint: begin the chamfer a little farther in or out", place(.at)

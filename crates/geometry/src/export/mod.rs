@@ -33,6 +33,7 @@ mod chamfered;
 mod error;
 mod gltf;
 mod mesh;
+mod part_file;
 mod placed_part;
 mod slope;
 mod solid;
@@ -44,6 +45,7 @@ mod triangulation;
 
 pub use error::ExportError;
 pub use gltf::glb;
+pub use part_file::{PartFormat, part_file};
 pub use placed_part::{PlacedPart, solids};
 pub use solid::Solid;
 pub use step::{StepHeader, step};

@@ -75,3 +75,23 @@ pub fn engine_parts(engine: &Engine) -> Result<Vec<PlacedPart>, CounterweightErr
     parts.extend(shafts);
     Ok(parts)
 }
+
+/// What is asked for of an engine: balance shafts of these names alone, else counterweights of these names or a crankshaft (by index), else
+/// all of it ([`engine_parts`]).
+///
+/// # Errors
+/// As [`shaft_parts`], [`crankshaft_parts`] and [`engine_parts`].
+pub fn chosen_parts(
+    engine: &Engine,
+    crankshaft: usize,
+    counterweights: &[String],
+    shafts: &[String],
+) -> Result<Vec<PlacedPart>, CounterweightError> {
+    if !shafts.is_empty() {
+        shaft_parts(engine, shafts)
+    } else if crankshaft > 0 || !counterweights.is_empty() {
+        crankshaft_parts(engine, crankshaft, counterweights)
+    } else {
+        engine_parts(engine)
+    }
+}

@@ -6,19 +6,16 @@ use crate::problem::Problem;
 use crate::questions::design_choice::{Aim, design_request};
 use crate::questions::reading::{EngineText, NewText, engine, engine_file};
 use lanchester::file::{EngineFile, write_back};
-use lanchester::geometry::drawing::{part_dxf, part_svg};
-use lanchester::geometry::export::{StepHeader, glb, solids, step, stl};
+use lanchester::geometry::export::{PartFormat, part_file};
 use lanchester::geometry::{Design, DesignOutcome};
 use lanchester::model::Engine;
 use lanchester::{
     CounterweightCheck, CounterweightDesigns, CounterweightFront, adopted, check_counterweights,
-    counterweight_front, crankshaft_parts, design_counterweights, engine_parts, with_counterweights,
+    chosen_parts, counterweight_front, design_counterweights, with_counterweights,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Largest error of the facets of exported meshes [m].
-const FACET: f64 = 1e-5;
 /// Designs of a front.
 const MOST_DESIGNS: usize = 200;
 
@@ -183,27 +180,15 @@ fn adopt(_: &Asker, question: ChosenDesign) -> Result<NewText, Problem> {
 
 fn export(_: &Asker, question: ExportQuestion) -> Result<Made, Problem> {
     let engine = engine(&question.text)?;
-    let parts = match &question.weight {
-        Some(name) => crankshaft_parts(&engine, 0, std::slice::from_ref(name)).map_err(Problem::refused)?,
-        None => engine_parts(&engine).map_err(Problem::refused)?,
+    let weights = question.weight.as_slice();
+    let parts = chosen_parts(&engine, 0, weights, &[]).map_err(Problem::refused)?;
+    let (kind, format) = match question.format {
+        Format::Step => ("model/step", PartFormat::Step),
+        Format::Stl => ("model/stl", PartFormat::Stl),
+        Format::Glb => ("model/gltf-binary", PartFormat::Glb),
+        Format::Dxf => ("image/vnd.dxf", PartFormat::Dxf),
+        Format::Svg => ("image/svg+xml", PartFormat::Svg),
     };
-    let solids = || solids(&parts).map_err(Problem::refused);
-    let single = || match &parts[..] {
-        [part] => Ok(&part.part),
-        _ => Err(Problem::refused(format!(
-            "a drawing holds the outline of one part, got {}\nhint: export one counterweight",
-            parts.len()
-        ))),
-    };
-    let (kind, bytes) = match question.format {
-        Format::Step => {
-            let header = StepHeader { title: engine.name.clone(), ..StepHeader::default() };
-            ("model/step", step(&solids()?, &header).into_bytes())
-        }
-        Format::Stl => ("model/stl", stl(&solids()?, FACET).map_err(Problem::refused)?),
-        Format::Glb => ("model/gltf-binary", glb(&solids()?, FACET).map_err(Problem::refused)?),
-        Format::Dxf => ("image/vnd.dxf", part_dxf(single()?).map_err(Problem::refused)?.into_bytes()),
-        Format::Svg => ("image/svg+xml", part_svg(single()?).map_err(Problem::refused)?.into_bytes()),
-    };
+    let bytes = part_file(format, &engine.name, &parts, PartFormat::FACET).map_err(Problem::refused)?;
     Ok(Made { kind, bytes })
 }

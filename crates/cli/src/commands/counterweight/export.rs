@@ -4,11 +4,10 @@ use crate::commands::open;
 use crate::failure::{DONE, Failure};
 use crate::files::write_result;
 use crate::options::counterweight::ExportArguments;
-use lanchester::geometry::drawing::{part_dxf, part_svg};
-use lanchester::geometry::export::{PlacedPart, StepHeader, glb, solids, step, stl};
+use lanchester::geometry::export::{PartFormat, PlacedPart, part_file};
 use lanchester::model::Engine;
 use lanchester::task::option;
-use lanchester::{check_counterweights, crankshaft_parts, engine_parts, shaft_parts};
+use lanchester::{check_counterweights, chosen_parts};
 use lanchester_files::shown;
 
 pub fn run(arguments: &ExportArguments, colour: bool) -> Result<u8, Failure> {
@@ -21,35 +20,23 @@ pub fn run(arguments: &ExportArguments, colour: bool) -> Result<u8, Failure> {
             "leave it out for the first one",
         ));
     }
-    let parts = parts(&opened.file.engine, arguments, crankshaft)?;
-    let ending = arguments.output.extension().and_then(|ending| ending.to_str());
-    let ending = ending.unwrap_or_default().to_ascii_lowercase();
-    let facet = facet(arguments, &ending)?;
-    let solids = || solids(&parts).map_err(Failure::refused);
-    let content = match ending.as_str() {
-        "step" | "stp" => {
-            let header = StepHeader { title: opened.file.engine.name.clone(), ..StepHeader::default() };
-            step(&solids()?, &header).into_bytes()
-        }
-        "stl" => stl(&solids()?, facet).map_err(Failure::refused)?,
-        "glb" => glb(&solids()?, facet).map_err(Failure::refused)?,
-        "dxf" => part_dxf(&one(&parts)?.part).map_err(Failure::refused)?.into_bytes(),
-        "svg" => part_svg(&one(&parts)?.part).map_err(Failure::refused)?.into_bytes(),
-        _ => {
-            return Err(Failure::input(
-                format_args!(
-                    "--output must end in step, stl, glb, dxf or svg, got {}",
-                    shown(&arguments.output)
-                ),
-                "the ending says what is written",
-            ));
-        }
-    };
+    let engine = &opened.file.engine;
+    let parts =
+        chosen_parts(engine, crankshaft, &arguments.weight, &arguments.shaft).map_err(Failure::refused)?;
+    let ending = arguments.output.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
+    let format = PartFormat::of_ending(ending).ok_or_else(|| {
+        Failure::input(
+            format_args!("--output must end in step, stl, glb, dxf or svg, got {}", shown(&arguments.output)),
+            "the ending says what is written",
+        )
+    })?;
+    let content =
+        part_file(format, &engine.name, &parts, facet(arguments, format)?).map_err(Failure::refused)?;
     write_result(&arguments.output, &arguments.file, &content)?;
     let names: Vec<&str> = parts.iter().map(|part| part.name.as_str()).collect();
     eprintln!("{} written: {}", shown(&arguments.output), names.join(", "));
-    if matches!(ending.as_str(), "step" | "stp" | "stl" | "glb") {
-        eprint!("{}", masses(&opened.file.engine, &parts));
+    if !format.is_outline() {
+        eprint!("{}", masses(engine, &parts));
     }
     Ok(DONE)
 }
@@ -71,40 +58,14 @@ fn masses(engine: &Engine, parts: &[PlacedPart]) -> String {
     told
 }
 
-/// What is asked for: balance shafts alone, counterweights alone, or a crankshaft, the first one with the balance shafts around it.
-fn parts(
-    engine: &Engine,
-    arguments: &ExportArguments,
-    crankshaft: usize,
-) -> Result<Vec<PlacedPart>, Failure> {
-    if !arguments.shaft.is_empty() {
-        return shaft_parts(engine, &arguments.shaft).map_err(Failure::refused);
-    }
-    if crankshaft > 0 || !arguments.weight.is_empty() {
-        return crankshaft_parts(engine, crankshaft, &arguments.weight).map_err(Failure::refused);
-    }
-    engine_parts(engine).map_err(Failure::refused)
-}
-
 /// Largest error of facets [m].
-fn facet(arguments: &ExportArguments, ending: &str) -> Result<f64, Failure> {
-    let Some(text) = &arguments.facet else { return Ok(1e-5) };
-    if !matches!(ending, "stl" | "glb") {
+fn facet(arguments: &ExportArguments, format: PartFormat) -> Result<f64, Failure> {
+    let Some(text) = &arguments.facet else { return Ok(PartFormat::FACET) };
+    if !format.has_facets() {
         return Err(Failure::input(
             "--facet is the error of facets, which STL and glTF alone have",
             "leave it out, or write a file that ends in stl or glb",
         ));
     }
     Ok(option::length(text, "--facet")?)
-}
-
-/// The only part: an outline is that of one.
-fn one(parts: &[PlacedPart]) -> Result<&PlacedPart, Failure> {
-    match parts {
-        [part] => Ok(part),
-        _ => Err(Failure::input(
-            format_args!("a drawing holds the outline of one part, got {}", parts.len()),
-            "name one counterweight with --weight, or one shaft of one weight with --shaft",
-        )),
-    }
 }

@@ -9,11 +9,14 @@ use lanchester_diagnostic::Mistake;
 use lanchester_model::Throw;
 use lanchester_model::{CrankBody, CrankDetails, CrankPlace};
 use lanchester_model::{TOUCH, pin, throw_unbalances};
-use lanchester_units::Dimension;
+use lanchester_units::{Dimension, readable};
 
 /// How far a given unbalance of a throw and that of its body may differ, as a share of the larger one: what a drawing without its
 /// fillets, oil bores and forging drafts misses.
 const AGREE: f64 = 0.05;
+
+/// From this share on it is told that they differ.
+const TOLD: f64 = 0.01;
 
 impl<'a> Reader<'a> {
     /// Takes the unbalances of the throws from the body; what stops that is reported elsewhere. What the file gives itself, weighed or
@@ -26,36 +29,42 @@ impl<'a> Reader<'a> {
     ) -> Option<()> {
         let Some(Some(uniform)) = &body.uniform else { return Some(()) };
         let Ok(unbalances) = throw_unbalances(uniform, &body.details, throws) else { return Some(()) };
-        let mut agrees = true;
+        let body_key =
+            self.section("crank").0.filter(|crank| crank.has("body")).map(|crank| crank.key_span("body"));
+        // What [crank] gives counts for all throws, and is told once.
+        let mut told: Vec<(Span, bool)> = Vec::new();
         for (index, (throw, found)) in throws.iter_mut().zip(unbalances).enumerate() {
             let Some(span) = weighed.get(index).cloned().flatten() else {
                 throw.unbalance = found.unbalance;
                 throw.unbalance_offset = found.offset;
                 continue;
             };
+            let off = (throw.unbalance - found.unbalance).abs();
             let largest = throw.unbalance.abs().max(found.unbalance.abs());
-            let is_known = throw.webs.is_some() && agrees;
-            if !is_known || (throw.unbalance - found.unbalance).abs() <= AGREE * largest {
+            let own = (span.clone(), off > AGREE * largest);
+            if throw.webs.is_none() || off <= TOLD * largest || told.contains(&own) {
                 continue;
             }
-            agrees = false;
-            let [given, of_body] = [throw.unbalance, found.unbalance]
-                .map(|unbalance| lanchester_units::readable(unbalance, Dimension::Unbalance));
-            let mut mistake = Mistake::error(
-                "E0203",
-                span,
-                format!(
-                    "throw {} has an unbalance of {given} here, but {of_body} by [crank.body]: they must agree to 5 %",
-                    index + 1
-                ),
-            )
-            .label("second source")
-            .hint("keep one of the two, or correct masses or sizes");
-            if let Some(section) = self.section("crank").0.filter(|crank| crank.has("body")) {
-                mistake = mistake.related(section.key_span("body"), "first source");
+            let [given, of_body] =
+                [throw.unbalance, found.unbalance].map(|own| readable(own, Dimension::Unbalance));
+            let what = format!(
+                "throw {} has an unbalance of {given} here, but {of_body} by [crank.body]",
+                index + 1
+            );
+            let mut mistake = match own.1 {
+                true => Mistake::error("E0203", span, format!("{what}: they must agree to 5 %"))
+                    .hint("keep one of the two, or correct masses or sizes"),
+                false => Mistake::warning("W0203", span, format!("{what}: the first counts"))
+                    .hint("keep one of the two if they should be one"),
+            }
+            .label("second source");
+            if let Some(body) = &body_key {
+                mistake = mistake.related(body.clone(), "first source");
             }
             self.mistakes.push(mistake);
+            told.push(own);
         }
+        let agrees = !told.iter().any(|(_, is_error)| *is_error);
         agrees.then_some(())
     }
 
@@ -92,8 +101,7 @@ impl<'a> Reader<'a> {
             if inner < outer || (may_be_equal && inner == outer) {
                 continue;
             }
-            let [inner, outer] =
-                [inner, outer].map(|value| lanchester_units::readable(value, Dimension::Length));
+            let [inner, outer] = [inner, outer].map(|value| readable(value, Dimension::Length));
             self.mistakes.push(
                 Mistake::error(
                     "E0905",
@@ -156,8 +164,8 @@ impl<'a> Reader<'a> {
             if let Some(distance) = draft.web_distance
                 && distance <= body.web_thickness
             {
-                let [distance, thickness] = [distance, body.web_thickness]
-                    .map(|value| lanchester_units::readable(value, Dimension::Length));
+                let [distance, thickness] =
+                    [distance, body.web_thickness].map(|value| readable(value, Dimension::Length));
                 self.mistakes.push(
                     Mistake::error(
                         "E0905",
@@ -207,7 +215,7 @@ impl<'a> Reader<'a> {
                 self.check_shared_web(body, section, [(*one, front), (*two, rear)]);
                 continue;
             }
-            let overlap = lanchester_units::readable(overlap, Dimension::Length);
+            let overlap = readable(overlap, Dimension::Length);
             self.mistakes.push(
                 Mistake::error(
                     "E0904",
@@ -223,7 +231,7 @@ impl<'a> Reader<'a> {
                 .related(rear.web_span.clone(), "the web distance")
                 .hint(format!(
                     "make the webs thinner or their distance smaller, or set the throws farther apart; for one web between both pins the web distance is the distance of the throws, {}, or more",
-                    lanchester_units::readable(rear.throw.z - front.throw.z, Dimension::Length)
+                    readable(rear.throw.z - front.throw.z, Dimension::Length)
                 )),
             );
         }
@@ -240,13 +248,13 @@ impl<'a> Reader<'a> {
         let thickness = body.web_thickness - (end - start);
         let [front_pin, rear_pin] = [front, rear].map(|draft| pin(&draft.throw));
         let (message, hint) = if thickness < -TOUCH {
-            let overlap = lanchester_units::readable(-thickness, Dimension::Length);
+            let overlap = readable(-thickness, Dimension::Length);
             let most = rear.throw.z - front.throw.z + body.web_thickness;
             (
                 format!("crankpins {} and {} overlap by {overlap} along the crank", one + 1, two + 1),
                 format!(
                     "set the throws farther apart, or make the web distance smaller: with {} the pins touch, with less a web is between them",
-                    lanchester_units::readable(most, Dimension::Length)
+                    readable(most, Dimension::Length)
                 ),
             )
         } else if thickness <= TOUCH && (rear_pin - front_pin).norm() >= body.pin_diameter {

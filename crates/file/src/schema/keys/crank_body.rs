@@ -17,7 +17,7 @@ pub(super) static CRANK_BODY: Table = Table {
           crankpin. The unbalance of every throw follows: that of its pin and of its two plain webs. Every throw needs `web_distance`; the pin is as \
           long as it less `web_thickness`. Where it is the distance of two neighbouring throws or more, they have one web between their pins, as split \
           pins (a flying web) and boxers have: the convex hull of two discs of `pin_end_radius` about both pins, which fills what is between them. An \
-          unbalance or masses given in `[crank]` or `[[throw]]` count instead of that of the body, in the plane of the throw, and must agree with it to 5 %.",
+          unbalance or masses given in `[crank]` or `[[throw]]` count instead of that of the body, in the plane of the throw, and must agree with it to 5 %; from 1 % on a warning says which counts.",
     keys: &[
         key(
             "density",
