@@ -396,7 +396,7 @@ fn torque_and_energy() {
         ("in-line-4-mounts", jumping),
         ("twin-270-choices", smooth),
         ("v6-60", jumping),
-        ("radial-7", smooth),
+        ("radial-3", smooth),
     ];
     for (name, curve) in cases {
         let point = point(name, curve);
@@ -470,7 +470,7 @@ fn without_nothing(outputs: Vec<Output>) -> Vec<Output> {
 
 #[test]
 fn orders_of_bearings() {
-    for name in ["single-gas", "v6-60", "radial-7"] {
+    for name in ["single-gas", "v6-60", "radial-3"] {
         let outputs = of_parts(parts_of(name), &bearings(), &[Size::Order(0.5), Size::Order(2.0)]);
         // Orders of samples of a pressure in cubic pieces.
         compare_resolved(name, &point(name, smooth), &without_nothing(outputs), [1e-5, 1e-9]);

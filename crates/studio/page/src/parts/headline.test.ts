@@ -34,7 +34,7 @@ function loads(force: number, roll: [number, number]): Loads {
     ],
   };
   const cylinder = { ...set, peaks: { ...peaks, force: extremes(1000) } };
-  return { total: set, cylinders: [{ cylinder: 1, loads: cylinder }] } as unknown as Loads;
+  return { total: set, parts: [], cylinders: [{ cylinder: 1, loads: cylinder }] } as unknown as Loads;
 }
 
 const named = (given: Loads) =>
@@ -55,6 +55,14 @@ describe("figures", () => {
     const got = named(loads(1e-9, [1, -1]));
     expect(got["Peak force"]).toBe(0);
     expect(got["Peak couple"]).toBe(0);
+  });
+
+  it("measures rounding by what cancels, devices too", () => {
+    const given = loads(1e-5, [1, -1]);
+    expect(named(given)["Peak force"]).toBe(1e-5);
+    const devices = { ...given.total, peaks: { ...given.total.peaks, force: extremes(1e5) } };
+    const parts = [{ loads: devices }] as unknown as Loads["parts"];
+    expect(named({ ...given, parts })["Peak force"]).toBe(0);
   });
 });
 

@@ -2,6 +2,7 @@
 
 import type { Loads, OrderLoads } from "../api/types";
 import type { Measure } from "../state/units.svelte";
+import { noise } from "./results/forces/magnitude";
 
 export interface Figure {
   name: string;
@@ -12,24 +13,19 @@ export interface Figure {
   value: number;
 }
 
-/** What is smaller than this part of the forces within the engine is rounding and counts as nothing. */
-const NOISE = 1e-9;
-
 /** What each number is, in full; before there are loads the numbers are not numbers. */
 export function figures(loads: Loads | undefined): Figure[] {
   const peaks = loads?.total.peaks;
-  const within = Math.max(
-    ...(loads?.cylinders ?? []).map((cylinder) => cylinder.loads.peaks.force.max.value),
-    0,
-  );
-  // Couples are compared with the same forces on an arm of 1 m.
-  const clean = (value: number | undefined) => {
-    if (value === undefined) return NaN;
-    return Math.abs(value) > NOISE * within ? value : 0;
+  const least = loads && noise(loads);
+  const clean = (value: number | undefined, kind: "force" | "couple" | "roll_moment") => {
+    if (value === undefined || !least) return NaN;
+    return Math.abs(value) > least[kind] ? value : 0;
   };
   const order = (wanted: number) => loads?.total.orders.find((entry) => entry.order === wanted);
-  const force = (wanted: number) => clean(loads && sum(order(wanted), "force_forward", "force_backward"));
-  const couple = (wanted: number) => clean(loads && sum(order(wanted), "couple_forward", "couple_backward"));
+  const force = (wanted: number) =>
+    clean(loads && sum(order(wanted), "force_forward", "force_backward"), "force");
+  const couple = (wanted: number) =>
+    clean(loads && sum(order(wanted), "couple_forward", "couple_backward"), "couple");
   const roll =
     peaks && Math.max(Math.abs(peaks.roll_moment.max.value), Math.abs(peaks.roll_moment.min.value));
   return [
@@ -37,7 +33,7 @@ export function figures(loads: Loads | undefined): Figure[] {
       name: "Peak force",
       about: "Largest shaking force of the moving parts on the block over the cycle, of all orders together",
       measure: "force",
-      value: clean(peaks?.force.max.value),
+      value: clean(peaks?.force.max.value, "force"),
     },
     {
       name: "Force, order 1",
@@ -55,7 +51,7 @@ export function figures(loads: Loads | undefined): Figure[] {
       name: "Peak couple",
       about: "Largest couple about the reference point, yaw and pitch together, of all orders together",
       measure: "moment",
-      value: clean(peaks?.couple.max.value),
+      value: clean(peaks?.couple.max.value, "couple"),
     },
     {
       name: "Couple, order 1",
@@ -73,7 +69,7 @@ export function figures(loads: Loads | undefined): Figure[] {
       name: "Roll moment",
       about: "Largest moment of the inertia forces about the crank axis, in either sense; without gas",
       measure: "moment",
-      value: clean(roll),
+      value: clean(roll, "roll_moment"),
     },
   ];
 }
