@@ -39,11 +39,11 @@ pub fn run(mut steps: Steps) -> Result<()> {
             .step("claims of the README and the book", || claims::check(&program))
             // Among them the page of published numbers, which fails where a verdict is not the expected one.
             .step("generated pages are fresh", || generate::check(&program))
-            .step("report in a browser", || browser::check_reports(&program)),
-        Lane::new()
+            .step("report in a browser", || browser::check_reports(&program))
             .step("API documentation, no warning", || {
                 lint::documentation(Profile::Release).map(|()| String::new())
-            })
+            }),
+        Lane::new()
             .step("commands of the README", documents::commands)
             // Behind the README's commands, whose optimised crates it shares.
             .step("Python package: wheel, types, tests, doctests, notebooks", || python::run(&[])),

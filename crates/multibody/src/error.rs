@@ -86,6 +86,18 @@ pub enum MultibodyError {
         /// Samples that are allowed.
         most_samples: f64,
     },
+    /// An imposed speed that ends at rest before the revolutions of the run are done.
+    #[error(
+        "the imposed speed stands at 0 from {at} s on, when the crankshaft has turned {turned:.4} revolutions: a run of {wanted} revolutions never ends\nhint: ask for fewer revolutions, or for a time"
+    )]
+    StandsStill {
+        /// Time from which the crankshaft turns no further [s].
+        at: f64,
+        /// Revolutions until then.
+        turned: f64,
+        /// Revolutions that were asked for.
+        wanted: f64,
+    },
     /// The motion that repeats is asked for, with a governor whose dead time makes all its past part of the state.
     #[error(
         "the periodic motion is not searched with a dead time of {delay} s of the governor: give it a `lag` instead, or run for a time until it has settled"

@@ -22,7 +22,9 @@ use crate::run::check::check;
 use crate::run::kinks::kinks;
 use crate::run::result::{Cost, Happened, Occasion, RUN_VERSION, Run, RunOutcome, RunState, Samples};
 use crate::run::runner::Runner;
-use crate::simulation::{Action, BlockMotion, BlockStart, Drive, Duration, Simulation, When, load_torque};
+use crate::simulation::{
+    Action, BlockMotion, BlockStart, Drive, Duration, Simulation, When, load_torque, straight,
+};
 use crate::train::Train;
 use kept::Kept;
 use lanchester_numerics::{Dop853, Outcome, SampleGrid, Settings, Step};
@@ -304,6 +306,7 @@ impl<'a> Runner<'a> {
             Drive::Imposed { profile, .. } if profile.len() > 1 => &profile[..],
             _ => &[],
         };
+        let profile_speeds = self.powered.conditions.times.map(|time| straight(profile, time));
         let over_angle = self.state[1] >= FAST[0] && !self.powered.conditions.held && profile.is_empty();
         let mut watches = Vec::new();
         let from = if over_angle { self.state[0] } else { self.time };
@@ -414,7 +417,9 @@ impl<'a> Runner<'a> {
             (settings.safety, settings.largest_growth) = (0.85, 1.5);
         }
         settings.event_tolerance = 1e-13 * if over_angle { 1.0 } else { 0.1 };
-        let grid = if over_angle { simulation.step } else { simulation.step / FAST[0] };
+        // Over time the samples are a step apart where the crank turns fastest in this piece, and closer elsewhere.
+        let fastest = profile_speeds.into_iter().fold(FAST[0], f64::max);
+        let grid = if over_angle { simulation.step } else { simulation.step / fastest };
         let origin = if over_angle { simulation.start_angle } else { 0.0 };
         // The commands of a governor with a dead time are kept at every step.
         settings.samples = delay.is_none().then_some(SampleGrid { origin, spacing: grid });

@@ -1,7 +1,7 @@
 //! What a run refuses before it starts.
 
 use crate::error::MultibodyError;
-use crate::simulation::{Action, BlockMotion, Drive, Duration, Simulation};
+use crate::simulation::{Action, BlockMotion, Drive, Duration, Simulation, straight};
 use crate::train::Train;
 use nalgebra::{Matrix3, Matrix3x6, Matrix6, Vector3};
 use std::f64::consts::TAU;
@@ -105,6 +105,12 @@ pub(crate) fn check(train: &Train, simulation: &Simulation, with_gas: bool) -> R
             fastest,
             fastest > 0.0 || matches!(simulation.duration, Duration::Time(_)),
         )?;
+        if let Duration::Revolutions(wanted) = simulation.duration
+            && let Some([at, turned]) = standstill(profile)
+            && TAU * wanted >= turned * (1.0 - NEARLY)
+        {
+            return Err(MultibodyError::StandsStill { at, turned: turned / TAU, wanted });
+        }
     } else if let Some(rotor) = train.rotors.first().filter(|rotor| !rotor.known) {
         return Err(MultibodyError::NoInertia {
             part: rotor.name.clone(),
@@ -143,6 +149,34 @@ pub(crate) fn check(train: &Train, simulation: &Simulation, with_gas: bool) -> R
             },
         },
     }
+}
+
+/// A share of the angle until standstill: the last of it takes ever longer.
+const NEARLY: f64 = 1e-9;
+
+/// Time [s] at which a profile of times and speeds has turned the crankshaft furthest, and that angle [rad]; `None` where it turns for ever.
+///
+/// Between two points the speed runs straight, before the first and behind the last it is theirs.
+fn standstill(profile: &[[f64; 2]]) -> Option<[f64; 2]> {
+    if profile.last()?[1] > 0.0 {
+        return None;
+    }
+    let (mut at, mut speed) = (0.0, straight(profile, 0.0));
+    let (mut angle, mut furthest) = (0.0, [0.0, 0.0]);
+    for &[time, next] in profile.iter().filter(|point| point[0] > 0.0) {
+        let length = time - at;
+        // A speed that changes its sign is 0 in between.
+        if speed > 0.0 && next <= 0.0 {
+            let until = length * speed / (speed - next);
+            let there = angle + 0.5 * until * speed;
+            if there > furthest[1] {
+                furthest = [at + until, there];
+            }
+        }
+        angle += 0.5 * length * (speed + next);
+        (at, speed) = (time, next);
+    }
+    Some(furthest)
 }
 
 /// Refuses a run that would take longer than it may, before it starts.

@@ -443,6 +443,37 @@ fn what_is_no_number_ends_the_run_with_its_good_samples() {
 }
 
 #[test]
+fn a_profile_that_ends_at_rest_bounds_the_revolutions() {
+    let engine = engine("bare", vec![throw(0.0, 0.0)], vec![support::cylinder(0, 0.0, 0.0)]);
+    let train = Train::new(&engine, &RotorInertia::of(&engine.rotating_bodies(&[]))).expect("it turns");
+    let run = |profile: &[[f64; 2]], duration: Duration| {
+        let drive = Drive::Imposed { profile: profile.to_vec(), against: ImposedAgainst::Block };
+        train.run(&Simulation { drive, duration, ..Simulation::imposed(1.0, 1.0) }, None)
+    };
+    // Half of 100 rad/s for 1 s, and 0.5 s at full speed before it: 100 rad. Then backwards, which brings nothing.
+    let falls = [[0.5, 100.0], [1.5, 0.0]];
+    let turns_back = [[0.0, 100.0], [0.5, 100.0], [2.5, -100.0]];
+    for (profile, stands) in [(&falls[..], 1.5), (&turns_back[..], 1.5)] {
+        let most = 100.0 / TAU;
+        for wanted in [most, most + 0.1, 1e3] {
+            let refused = run(profile, Duration::Revolutions(wanted)).expect_err("it stands");
+            let MultibodyError::StandsStill { at, turned, .. } = refused else { panic!("{refused}") };
+            assert!((at - stands).abs() < 1e-12 && (turned - most).abs() < 1e-12, "{at} {turned}");
+        }
+        let done = run(profile, Duration::Revolutions(most - 0.1)).expect("it gets there");
+        assert_eq!(done.outcome, RunOutcome::Complete);
+        // The last sample lies less than a step before the end: samples are a degree apart at full speed.
+        let left = 100.0 - 0.1 * TAU - done.samples.theta.last().unwrap();
+        assert!(left.abs() < PI / 180.0, "{left}");
+    }
+    // Over a time it may stand.
+    let stands = run(&falls, Duration::Time(2.0)).expect("a time ends");
+    assert_eq!(stands.outcome, RunOutcome::Complete);
+    let left = 100.0 - stands.samples.theta.last().unwrap();
+    assert!(left.abs() < PI / 180.0, "{left}");
+}
+
+#[test]
 fn what_is_missing_is_named() {
     let mut engine = engine("bare", vec![throw(0.0, 0.0)], vec![support::cylinder(0, 0.0, 0.0)]);
     let train = Train::new(&engine, &RotorInertia::of(&engine.rotating_bodies(&[]))).expect("it turns");

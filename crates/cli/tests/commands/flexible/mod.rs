@@ -147,7 +147,9 @@ fn three_meshes_give_a_band() {
     let rest = ["static", "--force", "1: -20 kN", "--converge", "--figures", "pictures"];
     let all = [&["stress", rest[0], "engine.toml", "--size", "30 mm", "--fillet-elements", "2"], &rest[1..]]
         .concat();
-    let text = output(&folder, 0, &all);
+    // The words of a mesh with larger elements are the same.
+    let large = ["--size", "60 mm", "--fillet-elements", "2"];
+    let text = output(&folder, 0, &[&["stress", rest[0], "engine.toml"], &large[..], &rest[1..]].concat());
     for words in ["Convergence", "case 1: energy", "pin 1 at web 1: von Mises", " ± "] {
         assert!(text.contains(words), "{words}: {text}");
     }
