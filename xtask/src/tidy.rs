@@ -6,6 +6,7 @@ mod folders;
 mod known;
 mod pages;
 mod sources;
+mod words;
 
 use crate::{generate, tolerances, workspace};
 use anyhow::{Result, bail};
@@ -25,6 +26,7 @@ pub fn sources() -> Result<String> {
     breaches.extend(folders::check(&files));
     breaches.extend(circles::check(&files)?);
     breaches.extend(pages::check(&files)?);
+    breaches.extend(words::check(&files)?);
     breaches.extend(tolerances::check().err().map(|error| error.to_string()));
     if !breaches.is_empty() {
         bail!("{} breaches of the rules\n{}", breaches.len(), breaches.join("\n"));

@@ -132,7 +132,7 @@ pub enum Method {
     },
     /// Branch and bound around convex programmes: free positions, given or least amounts, on/off choices.
     BranchAndBound {
-        /// Boxes of choices examined.
+        /// Branch-and-bound nodes examined.
         nodes: usize,
         /// Cone programmes solved.
         solves: usize,
@@ -228,7 +228,7 @@ pub struct Active {
     /// Speed of crankshaft 1 [rad/s], where the criterion is judged at several: with gas.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub speed: Option<f64>,
-    /// Its share of the proof: the multipliers of a criterion add up to its weight in the stage (to the price of the
+    /// Its share of the proof: the multipliers of a criterion add up to its weight in the stage (to the shadow price of the
     /// limit for a limited one).
     pub multiplier: f64,
 }

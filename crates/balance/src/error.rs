@@ -104,12 +104,12 @@ pub enum BalanceError {
     #[error(transparent)]
     Engine(Fault),
     /// Whoever asked said that the answer is not wanted any more ([`crate::Next::Abandon`]).
-    #[error("the search was broken off\nhint: ask again for the whole of it")]
+    #[error("the search was cancelled\nhint: ask again for the whole of it")]
     BrokenOff,
 }
 
 impl BalanceError {
-    /// The first of the faults of parts that are no engine.
+    /// The first of the faults of parts that make no valid engine.
     pub fn engine(faults: Vec<Fault>) -> BalanceError {
         BalanceError::Engine(Fault::first_of(faults))
     }

@@ -53,7 +53,7 @@ pub(crate) struct StageProof {
     pub target: f64,
     /// Solution in the coordinates of the stage.
     pub solution: Solution,
-    /// Price of every row of the problem: SI unit of the stage over the level of the row.
+    /// Shadow price of every row of the problem: SI unit of the stage over the level of the row.
     pub prices: Vec<f64>,
 }
 

@@ -59,7 +59,7 @@ pub enum Colour {
 /// The commands.
 #[derive(Debug, Subcommand)]
 pub enum Command {
-    /// Read engine files and report every mistake, with its place and a way to mend it.
+    /// Read engine files and report every mistake, with its place and a suggested fix.
     #[command(
         after_help = "Examples:\n  lanchester check twin.toml\n  lanchester check engines/*.toml --format json"
     )]
@@ -96,7 +96,7 @@ pub enum Command {
                             lanchester loads twin.toml --cases cases.xlsx --output loads.xlsx"
     )]
     Loads(LoadsArguments),
-    /// Torque of gas and inertia, work, orders with halves, firing, speed ripple and flywheel, power.
+    /// Torque of gas and inertia, work, orders with halves, firing, cyclic speed fluctuation and flywheel, power.
     #[command(
         after_help = "Examples:\n  lanchester torque twin.toml\n  lanchester torque twin.toml --speed '2000 rpm' --lever sine\n  \
                             lanchester torque twin.toml --speeds '1000 rpm, 2000 rpm, 3000 rpm, 4000 rpm' --fmep '1.2 bar'\n  \
@@ -179,7 +179,7 @@ pub enum Command {
                             lanchester compare twin.toml boxer.toml --format csv > comparison.csv"
     )]
     Compare(CompareArguments),
-    /// All layouts that the parts of an engine can make, and those that nothing beats: throw angles, firing order, banks, pins, weights.
+    /// All layouts that the parts of an engine can make, and the Pareto-optimal ones: throw angles, firing order, banks, pins, weights.
     #[command(
         after_help = "Examples:\n  lanchester explore four.toml\n  lanchester explore four.toml --even-firing --figures figures\n  \
                             lanchester explore v6.toml --bank-angle '60 deg .. 120 deg by 15 deg' --split-angle '-60 deg .. 60 deg by 15 deg' \
@@ -468,7 +468,7 @@ pub struct BalanceArguments {
     #[arg(long, value_name = "N")]
     pub most_optional: Option<usize>,
     /// One more free balance shaft: `RATIO @ x, y @ z` or `RATIO @ x, y @ z1, z2`; a ratio below 0 turns against the
-    /// crank. A coordinate may be a stretch to find it in, `50 mm .. 100 mm`; behind one more `@` may stand `optional`,
+    /// crank. A coordinate may be a range to be optimised over, `50 mm .. 100 mm`; behind one more `@` may stand `optional`,
     /// `least 0.01 kg m`, `most 0.02 kg m` with commas between. May be given several times.
     #[arg(long, value_name = "SHAFT", allow_hyphen_values = true)]
     pub shaft: Vec<String>,

@@ -12,7 +12,7 @@ pub const DONE: u8 = 0;
 pub const NOT_AS_EXPECTED: u8 = 1;
 /// Exit status: the input is wrong.
 pub const WRONG_INPUT: u8 = 2;
-/// Exit status: our own fault.
+/// Exit status: internal error.
 pub const OWN_FAULT: u8 = 3;
 
 /// Every exit status with its meaning, for the help of the program.

@@ -15,7 +15,7 @@ use std::ops::Range;
 pub enum Severity {
     /// No engine can be made of the file.
     Error,
-    /// The engine stands, but something in the file is probably not meant.
+    /// Accepted, but something in the file is probably not meant.
     Warning,
 }
 

@@ -35,7 +35,7 @@ static FAMILIES: &[(&str, &str)] = &[
 
 static CODES: &[(&str, &str)] = &[
     ("E0001", "the text is no TOML"),
-    ("E0002", "a key or table stands twice"),
+    ("E0002", "duplicate key or table"),
     ("E0003", "the file is too large"),
     ("E0004", "too many entries"),
     ("E0005", "more mistakes than are shown"),

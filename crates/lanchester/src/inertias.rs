@@ -56,7 +56,7 @@ pub fn shaped_crankshafts(engine: &Engine) -> Vec<Option<ShapedCrankshaft>> {
     (0..engine.crankshafts.len()).map(of).collect()
 }
 
-/// All that turns with `engine` at a fixed ratio to crankshaft 1: the one list that torque, speed ripple, mounts and simulation take their
+/// All that turns with `engine` at a fixed ratio to crankshaft 1: the one list that torque, cyclic speed fluctuation, mounts and simulation take their
 /// inertia from.
 pub fn rotating_bodies(engine: &Engine) -> Vec<RotatingBody> {
     engine.rotating_bodies(&shaped_crankshafts(engine))

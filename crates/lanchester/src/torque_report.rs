@@ -105,7 +105,7 @@ pub fn torque_report(
     let gas = gas_at(speed)?;
     let found = torque_at(gas.as_ref(), &request.torque)?;
     let mut warnings = gas.as_ref().map(|gas| gas.warnings.clone()).unwrap_or_default();
-    // Without gas nothing drives the engine: what friction takes is not told.
+    // Without gas nothing drives the engine: what friction takes is not reported.
     let friction = request.friction.or(engine.friction).filter(|_| gas.is_some());
     let none = Flywheel::default();
     let wheel = engine.flywheel.as_ref().unwrap_or(&none);

@@ -37,7 +37,7 @@ const METHOD: &str = "the matrix method";
 pub struct MatrixMethod {
     /// `Y_cw`: which webs carry a counterweight, two a throw, from the free end; all of them if empty.
     pub web_pattern: Vec<bool>,
-    /// Turn of the counterweights out of the line of their throw.
+    /// Counterweight offset angle.
     pub alpha: Alpha,
     /// `r_c`: distance of a counterweight's centre of gravity from the crank axis [m].
     pub counterweight_radius: f64,

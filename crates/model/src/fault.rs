@@ -1,4 +1,4 @@
-//! Why parts are no engine.
+//! Why parts make no valid engine.
 
 use serde::Serialize;
 use std::collections::HashMap;

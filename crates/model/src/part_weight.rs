@@ -27,7 +27,7 @@ pub enum PartFault {
         couple: f64,
     },
     /// Too large for the range of numbers.
-    #[error("the unbalance of the part is beyond any engine")]
+    #[error("the unbalance of the part is outside the range accepted for engines")]
     TooLarge,
     /// The plain web on which it sits cannot be.
     #[error(transparent)]

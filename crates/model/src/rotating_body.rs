@@ -4,7 +4,7 @@
 //! energy    1/2 J_E w^2    J_E = SUM rho^2 J           rho: speed of the body over that of crankshaft 1, signed
 //! momentum      J_M w      J_M = SUM rho J
 //! ```
-//! Torque and speed ripple take `J_E`, roll and gyroscopic couples of the block `J_M`. What is not known is no number here: the body
+//! Torque and cyclic speed fluctuation take `J_E`, roll and gyroscopic couples of the block `J_M`. What is not known is no number here: the body
 //! names the key of the file that would give it, and the sums say what they lack.
 
 use crate::crank::body::CounterweightForm;

@@ -1,4 +1,4 @@
-//! Torque, work, speed ripple and flywheel.
+//! Torque, work, cyclic speed fluctuation and flywheel.
 
 pub(crate) mod figures;
 pub(crate) mod section;

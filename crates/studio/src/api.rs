@@ -173,7 +173,7 @@ fn json(answer: &impl Serialize) -> Result<Response, Problem> {
     Ok(([(header::CONTENT_TYPE, HeaderValue::from_static("application/json"))], bytes).into_response())
 }
 
-const REPORT: &str = "this is our own fault: please report it with the engine file";
+const REPORT: &str = "this is an internal error: please report it with the engine file";
 
 /// Computes beside the server, so that it answers meanwhile; what nobody waits for any more is not begun.
 async fn work(

@@ -126,7 +126,7 @@ fn one_flipped_bit_anywhere_is_found() {
     assert!(kinds[0] > 2000 && kinds[1] > 500 && kinds[2] + kinds[3] < 200, "{kinds:?}");
 }
 
-/// A cut anywhere is found too: a disk that was full, a copy that was broken off.
+/// A cut anywhere is found too: a disk that was full, a copy that was cancelled.
 #[test]
 fn a_torn_table_is_found() {
     let whole = table(Form::Parquet, &[0, 500]);

@@ -4,7 +4,7 @@
 //! |---|---|
 //! | `method` | which, see [`Kind`]; it replaces all counterweights and shafts of the engine |
 //! | `method.webs` | webs with a counterweight, "110011"; all of them without it |
-//! | `method.alpha` | turn of the counterweights, "30 deg"; the best one without it |
+//! | `method.alpha` | counterweight offset angle, "30 deg"; the best one without it |
 //! | `method.counterweight radius`, `method.shaft radius`, `method.shaft length` | "30 mm" |
 //!
 //! | quantity | what it is |

@@ -1,4 +1,4 @@
-//! The front of arrangements that nothing beats.
+//! The Pareto front of arrangements.
 //!
 //! One arrangement beats another if it is no worse in residual, roll moment and every price, and better in one. Two
 //! numbers count as equal within a share of 1e-6 of the larger one, so that rounding decides nothing.

@@ -1,5 +1,5 @@
 //! Which arrangement of crank weights and balance shafts: all that may be fitted, the best of each, their prices and
-//! the front of those that nothing beats.
+//! the Pareto front.
 //!
 //! ```text
 //! residual(arrangement) = min over its weights of the criterion's peak over the cycle     ([`crate::optimise`])

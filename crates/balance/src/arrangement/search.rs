@@ -33,7 +33,7 @@ const ROUNDS: usize = 6;
 const BEARING_GAP: f64 = 0.01;
 
 /// Every arrangement of crank weights and balance shafts that the request allows and the engine can use, each at its
-/// best, with drive and price, and the front of those that nothing beats.
+/// best, with drive and price, and the Pareto front.
 ///
 /// Balance shafts of the engine file are taken out first, and crank weights that an earlier search put into it: the
 /// search is about which ones to fit. Its other counterweights stay.

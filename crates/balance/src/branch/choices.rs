@@ -1,4 +1,4 @@
-//! Boxes of choices: which devices are used, in what stretch each stands, in what sector its phase lies.
+//! Branch-and-bound nodes: which devices are used, in what stretch each stands, in what sector its phase lies.
 
 use lanchester_numerics::about_zero;
 use lanchester_task::{BalanceTask, Phase, Place, Seat};

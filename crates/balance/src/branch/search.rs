@@ -155,7 +155,7 @@ struct Optimum {
     target: f64,
 }
 
-/// A search over boxes of choices.
+/// A search over branch-and-bound nodes.
 pub(super) struct Search<'a> {
     pub ground: &'a Ground<'a>,
     alike: Alike,

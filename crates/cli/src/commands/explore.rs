@@ -1,4 +1,4 @@
-//! `lanchester explore`: all layouts of given parts, and those that nothing beats.
+//! `lanchester explore`: all layouts of given parts, and the Pareto-optimal ones.
 
 use crate::commands::{Opened, json, open};
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};

@@ -55,7 +55,7 @@ pub enum TorqueTable {
     Cycle,
     /// The computed cycle over the angle: volume, pressure, temperature, mass, heat, flows.
     CycleAngle,
-    /// Speed ripple, or why it is not known.
+    /// Cyclic speed fluctuation, or why it is not known.
     SpeedRipple,
     /// Torque, power and energy at the speeds of `--speeds`.
     Speeds,

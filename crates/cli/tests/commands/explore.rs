@@ -164,9 +164,9 @@ fn mistakes_of_a_search_are_told() {
         0,
         &["explore", &four, "--rod-ratio", "0.3, 1.5", "--spacing", "30 mm, 60 mm, 100 mm"],
     );
-    assert!(text.contains("are no engine: the rod is not longer than the crank radius"), "{text}");
-    assert!(text.contains("are no engine: the webs of neighbouring throws overlap"), "{text}");
-    assert!(text.contains("are no engine: neighbouring bores overlap"), "{text}");
+    assert!(text.contains("have an invalid geometry: the rod is not longer than the crank radius"), "{text}");
+    assert!(text.contains("have an invalid geometry: the webs of neighbouring throws overlap"), "{text}");
+    assert!(text.contains("have an invalid geometry: neighbouring bores overlap"), "{text}");
     let text = output(&folder, 1, &["explore", &four, "--throw-angles", "every 120 deg", "--even-firing"]);
     assert!(text.contains("break the constraint `even firing within 0 deg`"), "{text}");
     let text = output(&folder, 0, &["explore", &four, "--limit", "force order 2 = 10 kN", "--ranking"]);

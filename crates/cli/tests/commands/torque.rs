@@ -325,7 +325,7 @@ fn the_report_has_torque_and_bearings_where_the_file_has_gas() {
     let mut unique = names.clone();
     unique.sort_unstable();
     unique.dedup();
-    assert_eq!(unique.len(), names.len(), "a name stands twice: {names:?}");
+    assert_eq!(unique.len(), names.len(), "duplicate name: {names:?}");
     // All four cylinders have the same loads: one picture.
     assert!(page.contains("all cylinders") && !names.contains(&"rod-forces-2"), "{names:?}");
     // An ideal cycle does not know the speed: power over it tells nothing.
@@ -354,7 +354,7 @@ fn the_report_of_measured_pressures_has_the_power_over_their_speeds() {
     let page = std::fs::read_to_string(folder.join("four.html")).expect("it was written");
     assert!(
         names_of(&page).contains(&"power")
-            && page.contains("no speed ripple, because the inertia of the flywheel")
+            && page.contains("no cyclic speed fluctuation, because the inertia of the flywheel")
     );
     // Torque and bearings are told at the speed asked for.
     output(&folder, 0, &["report", "four.toml", "--speed", "2000 rpm", "--output", "slow.html"]);

@@ -32,10 +32,10 @@ pub(super) fn mistake(error: &toml_spanner::Error, text: &str) -> Mistake {
     let span = error.span().range();
     let message = match kind {
         ErrorKind::DuplicateKey { .. } => {
-            format!("the key `{}` stands twice in one table", text.get(span.clone()).unwrap_or(""))
+            format!("duplicate key `{}` in one table", text.get(span.clone()).unwrap_or(""))
         }
         ErrorKind::DuplicateTable { name, .. } => {
-            format!("the table `{}` stands twice", text.get(name.range()).unwrap_or(""))
+            format!("duplicate table `{}`", text.get(name.range()).unwrap_or(""))
         }
         ErrorKind::OutOfRange { .. } => "too deeply nested".to_string(),
         _ => error.message(text),

@@ -349,7 +349,7 @@ fn what_cannot_be_written_is_refused() {
     let numbered = |k: usize| Counterweight { name: format!("n {k}"), ..weight.clone() };
     let many = engine(text).with(|parts| parts.counterweights = (0..300).map(numbered).collect()).unwrap();
     assert!(matches!(write_back(text, &many), Err(WriteBackError::Weights { .. })));
-    // Amounts beyond those of a file, and two of one name, are no engine already.
+    // Amounts beyond those of a file, and two of one name, are refused already.
     for unbalance in [-1.0, f64::NAN] {
         let weight = Counterweight { unbalance, ..weight.clone() };
         assert!(engine(text).with(|parts| parts.counterweights = vec![weight]).is_err());

@@ -56,7 +56,7 @@ pub struct Optimum {
     pub design: Design,
     /// Its value of the objective [SI].
     pub value: f64,
-    /// What no design can get below, rounding apart [SI]; zero where the proof was broken off.
+    /// What no design can get below, rounding apart [SI]; zero where the proof was stopped before its end.
     pub bound: f64,
     /// Whether every box of the search was refuted.
     pub proved: bool,

@@ -14,7 +14,7 @@ use lanchester_shape::{Cut, Edge, Point};
 
 /// How far a spline may lie off the cone and the cylinder that it is the edge of [m].
 pub const SPLINE_ERROR: f64 = 1e-9;
-/// Below this a curve is not told from a line or a circle [m].
+/// Below this a curve is not distinguished from a line or a circle [m].
 const STRAIGHT: f64 = 0.01 * RESOLUTION;
 /// Most pieces of a spline.
 const MOST_PIECES: usize = 1 << 14;

@@ -272,7 +272,7 @@ fn parts(
     let known_bore = cylinders.iter().map(|c| c.bore).collect::<Option<Vec<f64>>>();
     let bore = known_bore.map(|bores| averaged("bores", bores.into_iter(), notes));
     if bore.is_none() {
-        notes.push("whether neighbouring bores overlap is not told: the file gives no bore".to_owned());
+        notes.push("whether neighbouring bores overlap is not checked: the file gives no bore".to_owned());
     }
     if cylinders.iter().any(|c| c.net_offset().abs() > 0.0) {
         notes.push("offsets of cylinders and piston pins are left out: layouts are centred".to_owned());

@@ -12,7 +12,7 @@ use lanchester_model::Engine;
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum EngineClearanceError {
-    /// What is in the way, or what turns, is not told or not possible.
+    /// What is in the way, or what turns, is not given or not possible.
     #[error(transparent)]
     Clearance(#[from] ClearanceError),
     /// A linkage does not turn.

@@ -71,7 +71,7 @@ pub enum CounterweightError {
         /// What is wrong.
         fault: String,
     },
-    /// Something that the crankshaft must stay clear of and that is not told completely.
+    /// Something that the crankshaft must stay clear of and that is not given completely.
     #[error(transparent)]
     Clearance(#[from] EngineClearanceError),
     /// A crankshaft that is no body.
@@ -107,7 +107,7 @@ pub enum CounterweightError {
 }
 
 impl CounterweightError {
-    /// The first of the faults of parts that are no engine.
+    /// The first of the faults of parts that make no valid engine.
     pub(crate) fn engine(faults: Vec<Fault>) -> CounterweightError {
         CounterweightError::Engine(Fault::first_of(faults))
     }

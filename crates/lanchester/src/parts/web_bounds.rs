@@ -21,7 +21,7 @@ const DIRECTIONS: usize = 12;
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum WebBoundError {
-    /// The task has no meaning, or was broken off.
+    /// The task has no meaning, or was cancelled.
     #[error(transparent)]
     Balance(#[from] BalanceError),
     /// A shape or a clearance has none.

@@ -1,4 +1,4 @@
-//! Natural motions of the block: undamped and damped (book, eq. 27.5 to 27.7).
+//! Rigid-body modes of the block: undamped and damped (book, eq. 27.5 to 27.7).
 //!
 //! ```text
 //! undamped   K s = w^2 M s                           M = L L^T,  A = L^{-1} K L^{-T},  s = L^{-T} y

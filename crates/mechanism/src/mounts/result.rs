@@ -56,7 +56,7 @@ pub struct MountAtRest {
     pub preload: [f64; 3],
 }
 
-/// Natural motions of the block.
+/// Rigid-body modes of the block.
 #[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct MountModes {
     /// Undamped modes, rising.
@@ -120,7 +120,7 @@ pub struct StiffnessCentre {
     pub stiffness: [f64; 3],
     /// Those directions, unit vectors.
     pub directions: [[f64; 3]; 3],
-    /// Coupling left there, relative: the largest element of the coupling over the geometric mean of the largest stiffness
+    /// Residual coupling there, relative: the largest element of the coupling over the geometric mean of the largest stiffness
     /// of translation and of rotation. Where it vanishes, a force through this point does not turn the block: the point is
     /// the elastic centre.
     pub coupling: f64,
@@ -253,7 +253,7 @@ pub struct PointMotion {
 pub struct Transmissibility {
     /// Angular frequencies [rad/s], rising in equal ratios.
     pub angular_frequency: Vec<f64>,
-    /// For a unit load in each coordinate at the block's centre: what the mounts pass on in the same coordinate.
+    /// For a unit load in each coordinate at the block's centre: the force transmitted in the same coordinate.
     pub ratio: Vec<[f64; 6]>,
 }
 

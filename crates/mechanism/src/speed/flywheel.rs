@@ -1,4 +1,4 @@
-//! Flywheel and speed ripple: inertia of the crank train over the angle, and the periodic speed under a constant load.
+//! Flywheel and cyclic speed fluctuation: inertia of the crank train over the angle, and the periodic speed under a constant load.
 //!
 //! ```text
 //! E_kin = 1/2 J(theta) w^2

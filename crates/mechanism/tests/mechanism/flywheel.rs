@@ -1,4 +1,4 @@
-//! Inertia of the train against bodies placed by plane geometry, speed ripple against a step-by-step integration, textbook flywheels.
+//! Inertia of the train against bodies placed by plane geometry, cyclic speed fluctuation against a step-by-step integration, textbook flywheels.
 
 use crate::support;
 use crate::support::pressure::{diesel_like, fired};

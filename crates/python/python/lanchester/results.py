@@ -305,7 +305,7 @@ class Active(Record):
 
     @property
     def multiplier(self) -> float:
-        """Its share of the proof: the multipliers of a criterion add up to its weight in the stage (to the price of the
+        """Its share of the proof: the multipliers of a criterion add up to its weight in the stage (to the shadow price of the
         limit for a limited one).
         """
         return self._get("multiplier")  # type: ignore[no-any-return]
@@ -4276,7 +4276,7 @@ class ExchangeResult(Record):
 
 
 class Exploration(Result):
-    """Layouts that nothing beats, and what became of all others."""
+    """Pareto-optimal layouts, and what became of all others."""
 
     __slots__ = ()
     _FIELDS = ("choices", "constraints", "counts", "cylinders", "done", "engine", "front", "given", "notes", "objectives", "ranking", "sample", "size", "speed", "version",)
@@ -4313,7 +4313,7 @@ class Exploration(Result):
 
     @property
     def front(self) -> Records[FoundLayout]:
-        """Layouts that nothing beats, by the first objective."""
+        """Pareto-optimal layouts, by the first objective."""
         return self._all("front", FoundLayout)
 
     @property
@@ -5816,7 +5816,7 @@ class InternalMoments(Record):
 
 
 class InvalidCount(Record):
-    """Cases that are no engine for one reason."""
+    """Cases of invalid geometry for one reason."""
 
     __slots__ = ()
     _FIELDS = ("cases", "reason",)
@@ -6377,7 +6377,7 @@ class Method(Record):
 
     @property
     def nodes(self) -> int | None:
-        """Boxes of choices examined."""
+        """Branch-and-bound nodes examined."""
         return self._get("nodes")  # type: ignore[no-any-return]
 
 
@@ -6575,7 +6575,7 @@ class MountMode(Record):
 
 
 class MountModes(Record):
-    """Natural motions of the block."""
+    """Rigid-body modes of the block."""
 
     __slots__ = ()
     _FIELDS = ("damped", "modes", "stiffness_centre", "torque_roll_axis",)
@@ -6948,7 +6948,7 @@ class Optimum(Record):
 
     @property
     def bound(self) -> float:
-        """What no design can get below, rounding apart [SI]; zero where the proof was broken off."""
+        """What no design can get below, rounding apart [SI]; zero where the proof was stopped before its end."""
         return self._get("bound")  # type: ignore[no-any-return]
 
     @property
@@ -7684,7 +7684,7 @@ class PrimaryEllipse(Record):
 
     @property
     def major(self) -> float:
-        """Longer half axis [kg m]: times `w^2` the peak of the force [N]."""
+        """Semi-major axis [kg m]: times `w^2` the peak of the force [N]."""
         return self._get("major")  # type: ignore[no-any-return]
 
     @property
@@ -9265,7 +9265,7 @@ class StiffnessCentre(Record):
 
     @property
     def coupling(self) -> float:
-        """Coupling left there, relative: the largest element of the coupling over the geometric mean of the largest stiffness
+        """Residual coupling there, relative: the largest element of the coupling over the geometric mean of the largest stiffness
         of translation and of rotation. Where it vanishes, a force through this point does not turn the block: the point is
         the elastic centre.
         """
@@ -10169,7 +10169,7 @@ class Transmissibility(Record):
 
     @property
     def ratio(self) -> FloatArray:
-        """For a unit load in each coordinate at the block's centre: what the mounts pass on in the same coordinate."""
+        """For a unit load in each coordinate at the block's centre: the force transmitted in the same coordinate."""
         return self._array("ratio")  # type: ignore[no-any-return]
 
 

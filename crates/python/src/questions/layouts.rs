@@ -26,7 +26,7 @@ use std::sync::Arc;
 
 pub(super) const QUESTIONS: [Question; 1] = [Question::of::<Exploration>("explore", How::Long, read_explore)];
 
-/// Layouts that nothing beats, and what became of all others.
+/// Pareto-optimal layouts, and what became of all others.
 #[derive(Serialize, JsonSchema)]
 struct Exploration {
     #[serde(flatten)]

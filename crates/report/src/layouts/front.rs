@@ -63,10 +63,9 @@ fn sizes(
 pub fn layout_front_table(answer: &ExploreAnswer) -> Table {
     let title = match answer.front.len() {
         1 => "The front: one layout that is no worse than any other in every objective".to_owned(),
-        count => format!(
-            "The front: {} layouts that nothing beats in all objectives",
-            number::whole(count as u128)
-        ),
+        count => {
+            format!("The front: {} Pareto-optimal layouts in all objectives", number::whole(count as u128))
+        }
     };
     table("front", title, answer, &answer.front)
 }
@@ -184,7 +183,7 @@ pub fn layout_search_words(answer: &ExploreAnswer) -> String {
     let mut lines: Vec<(u128, String)> = counts
         .invalid
         .iter()
-        .map(|invalid| (invalid.cases, format!("are no engine: {}", invalid.reason.text())))
+        .map(|invalid| (invalid.cases, format!("have an invalid geometry: {}", invalid.reason.text())))
         .collect();
     lines.push((counts.duplicates, "are another case seen from another side".to_owned()));
     lines.extend(counts.broken.iter().map(|broken| (broken.cases, format!("break: {}", broken.constraint))));

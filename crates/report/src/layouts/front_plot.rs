@@ -19,7 +19,7 @@ const TOP: f64 = 30.0;
 /// Axes reach so many times as far as the front, where cases behind it do.
 const BEHIND: f64 = 2.5;
 
-/// A sample of all judged cases as dots, every layout of the front as a point, by pairs of objectives; what nothing beats in the two of a panel alone is filled and
+/// A sample of all judged cases as dots, every layout of the front as a point, by pairs of objectives; what is Pareto-optimal in the two of a panel alone is filled and
 /// joined by the line that no layout crosses.
 pub fn layout_front_figure(answer: &ExploreAnswer) -> Figure {
     let spread = |place: usize| {
@@ -46,9 +46,9 @@ pub fn layout_front_figure(answer: &ExploreAnswer) -> Figure {
     let given = if answer.given.is_some() { " The ring is the engine of the file." } else { "" };
     Figure {
         id: "layout-front".to_owned(),
-        title: format!("Layouts of {} cylinders that nothing beats", answer.cylinders),
+        title: format!("Pareto-optimal layouts of {} cylinders", answer.cylinders),
         caption: format!(
-            "Dots are {}. Every point is a layout of the front. Filled points are those that nothing beats in the two objectives of their panel \
+            "Dots are {}. Every point is a layout of the front. Filled points are Pareto-optimal in the two objectives of their panel \
              alone: nothing lies below and to the left of the line through them. Numbers are those of the table.{given}{same}",
             dots_words(answer)
         ),
@@ -166,7 +166,7 @@ fn panel(answer: &ExploreAnswer, x: usize, y: usize) -> Panel {
     Panel::new(svg, description)
 }
 
-/// Points that nothing beats in both coordinates, from left to right; of equal ones the first.
+/// Pareto-optimal points in both coordinates, from left to right; of equal ones the first.
 fn edge(points: &[(f64, f64)]) -> Vec<usize> {
     let largest = |of: fn(&(f64, f64)) -> f64| points.iter().map(of).fold(0.0, f64::max);
     let step = [1e-9 * largest(|p| p.0), 1e-9 * largest(|p| p.1)];

@@ -13,7 +13,7 @@ pub fn force_spectrum(loads: &Loads) -> Figure {
     let plot = BarPlot { quantity: "Force amplitude", unit: "N", bars, noise, two_sided: true };
     Figure {
         id: "force-spectrum".to_owned(),
-        title: "Force by order, both ways round".to_owned(),
+        title: "Force by order, forward and backward".to_owned(),
         caption: "Every shaking force is a sum of arrows that turn at a whole or fractional multiple of the crank's speed, \
                   with the crank (right) or against it (left). Weights on the crank can remove only order 1 with the crank; \
                   any other bar needs a shaft of that speed and sense."
@@ -30,7 +30,7 @@ pub fn couple_spectrum(loads: &Loads) -> Figure {
     let plot = BarPlot { quantity: "Couple amplitude", unit: "N m", bars, noise, two_sided: true };
     Figure {
         id: "couple-spectrum".to_owned(),
-        title: "Couple by order, both ways round".to_owned(),
+        title: "Couple by order, forward and backward".to_owned(),
         caption: "The rocking couple about the reference point, split in the same way. A couple needs weights in two planes."
             .to_owned(),
         panels: vec![plot.panel()],

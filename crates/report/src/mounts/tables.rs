@@ -50,7 +50,7 @@ pub fn mount_axes_words(study: &MountStudy) -> String {
     let coupling = number::short(100.0 * centre.coupling, 2);
     format!(
         "Torque-roll axis: through the centre along ({a}, {b}, {c}), {} deg from the crank. Centre of stiffness at \
-         x = {x}, y = {y}, z = {z} mm: {} N/mm along its principal directions, coupling left {coupling} %.",
+         x = {x}, y = {y}, z = {z} mm: {} N/mm along its principal directions, residual coupling {coupling} %.",
         number::fixed(lean, 1),
         stiffness.join(", ")
     )
@@ -151,7 +151,7 @@ fn orders_table(study: &MountStudy, id: &'static str, (place, at): (usize, &Spee
     }
     let ratio = |value: Option<f64>| value.map_or(Cell::Empty, |v| Cell::number(v, 3));
     let cells = at.orders.iter().map(|o| ratio(o.force_transmissibility())).collect();
-    columns.push((Column::numbers("passes force", ""), cells));
+    columns.push((Column::numbers("force transmissibility", ""), cells));
     let cells = at.orders.iter().map(|o| ratio(o.moment_transmissibility())).collect();
     columns.push((Column::numbers("passes moment", ""), cells));
     let title = format!("Forces at the mounts by order at {} rpm", rpm(at));

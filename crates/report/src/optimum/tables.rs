@@ -333,7 +333,7 @@ pub fn stages_table(engine: &Engine, answer: &Answer) -> Table {
         (Column::numbers("reached", ""), stages.iter().map(|s| Cell::number(s.value, 7)).collect()),
         (Column::numbers("bound", ""), stages.iter().map(|s| Cell::number(s.lower_bound, 7)).collect()),
         (Column::words("gap"), stages.iter().map(|s| Cell::text(gap(answer, s))).collect()),
-        (Column::words("held up at θ ="), rows.map(|k| Cell::text(angles(k))).collect()),
+        (Column::words("active at θ ="), rows.map(|k| Cell::text(angles(k))).collect()),
     ];
     if stages.iter().any(|stage| stage.give_up.is_some()) {
         columns.insert(4, (Column::numbers("given up", ""), stages.iter().map(given).collect()));

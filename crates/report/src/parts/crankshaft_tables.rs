@@ -175,7 +175,7 @@ pub fn clearances_table(clearances: &Clearances, nearest: bool) -> Table {
 /// The smallest clearance in a sentence, and whether it is what the file wants.
 pub fn clearance_words(clearances: &Clearances) -> String {
     let Some(smallest) = &clearances.smallest else {
-        return "Nothing comes near anything.".to_owned();
+        return "No pairs of parts are within range.".to_owned();
     };
     let one = &smallest.clearance;
     let at = one

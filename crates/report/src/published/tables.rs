@@ -211,7 +211,7 @@ pub fn method_numbers_table(answer: &MethodAnswer) -> Table {
 }
 
 fn matrix_numbers(numbers: &mut Numbers, balance: &MatrixBalance, printed: Option<&PrintedV>) {
-    numbers.add("turn of the counterweights, α", "deg", balance.alpha.to_degrees(), None);
+    numbers.add("counterweight offset angle, α", "deg", balance.alpha.to_degrees(), None);
     numbers.add("mass of each counterweight, m_c", "kg", balance.counterweight_mass, None);
     if balance.counterweight_extra != 0.0 {
         let name = "besides, in place of a first-order shaft, m_c1,cs";

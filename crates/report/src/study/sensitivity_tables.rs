@@ -191,8 +191,10 @@ pub fn sensitivity_text(found: &Sensitivity) -> String {
         out += &format!("\nNo input changes: {}.\n", still.join(", "));
     }
     if let Some(sobol) = found.sobol.as_ref().filter(|sobol| sobol.impossible > 0) {
-        out +=
-            &format!("\n{} of {} draws are no engine and were left out.\n", sobol.impossible, sobol.samples);
+        out += &format!(
+            "\n{} of {} draws have an invalid geometry and were left out.\n",
+            sobol.impossible, sobol.samples
+        );
     }
     out
 }

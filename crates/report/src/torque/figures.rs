@@ -240,7 +240,7 @@ pub fn ripple_figure(ripples: &[RippleOutcome]) -> Option<Figure> {
         })
         .collect();
     let caption = "With the inertia of the crank train over the angle.";
-    (!panels.is_empty()).then(|| figure("speed-ripple", "Speed ripple", caption, panels))
+    (!panels.is_empty()).then(|| figure("speed-ripple", "Cyclic speed fluctuation", caption, panels))
 }
 
 /// Power and torque over speed with the cubic through the origin.

@@ -1,4 +1,4 @@
-//! The section of the report on torque: gas, inertia, work, firing, speed ripple, flywheel and power.
+//! The section of the report on torque: gas, inertia, work, firing, cyclic speed fluctuation, flywheel and power.
 
 use crate::gas::result::CycleResult;
 use crate::gas::tables::{cycle_figures, cycle_table};

@@ -207,7 +207,7 @@ pub fn stroke_table(firing: &FiringChart) -> Table {
     )
 }
 
-/// Speed ripple at several speeds; where the speed is not known or the engine stops, the outcome says so.
+/// Cyclic speed fluctuation at several speeds; where the speed is not known or the engine stops, the outcome says so.
 pub fn ripple_table(ripples: &[RippleOutcome]) -> Table {
     let column = |head: &str, unit, f: fn(&SpeedRipple) -> f64, digits| {
         let cell =
@@ -221,7 +221,7 @@ pub fn ripple_table(ripples: &[RippleOutcome]) -> Table {
     };
     let mut table = Table::of_columns(
         "speed-ripple-table",
-        "Speed ripple",
+        "Cyclic speed fluctuation",
         "Periodic speed with the inertia of the train over the angle, under a load that takes the mean torque. C_s: highest minus lowest over mean speed; \
          by formula: largest excess energy over inertia times speed squared.",
         vec![
@@ -246,7 +246,7 @@ pub fn ripple_words(ripples: &[RippleOutcome]) -> String {
     let mut said: Vec<(String, Vec<String>)> = Vec::new();
     for ripple in ripples {
         let Some([reason, fix]) = ripple.trouble() else { continue };
-        let words = format!("no speed ripple, because {reason}; {fix}.");
+        let words = format!("no cyclic speed fluctuation, because {reason}; {fix}.");
         let speed = number::terminal(number::rpm(ripple.mean_speed()), 0);
         match said.iter_mut().find(|(known, _)| *known == words) {
             Some((_, speeds)) => speeds.push(speed),

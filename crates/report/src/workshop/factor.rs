@@ -129,7 +129,7 @@ fn ellipses(answer: &FactorAnswer) -> Table {
         throw_column(throws),
         (Column::numbers("along", "N"), forces(&|t| t.along)),
         (Column::numbers("across", "N"), forces(&|t| t.across)),
-        (Column::numbers("longer half axis", "N"), forces(&|t| t.ellipse.major)),
+        (Column::numbers("semi-major axis", "N"), forces(&|t| t.ellipse.major)),
         (Column::numbers("shorter", "N"), forces(&|t| t.ellipse.minor)),
         (
             Column::numbers("tilt", "deg"),

@@ -35,7 +35,7 @@ pub struct ExploreAnswer {
     pub done: Vec<Run>,
     /// What became of the cases.
     pub counts: Counts,
-    /// Layouts that nothing beats, by the first objective.
+    /// Pareto-optimal layouts, by the first objective.
     pub front: Vec<FoundLayout>,
     /// The first kinds of layout by the objectives in their order.
     pub ranking: Vec<FoundLayout>,

@@ -27,7 +27,7 @@ impl Invalid {
     }
 }
 
-/// Cases that are no engine for one reason.
+/// Cases of invalid geometry for one reason.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct InvalidCount {
     /// The reason.
@@ -68,7 +68,7 @@ impl Counts {
         Counts { cases: 0, invalid: Vec::new(), duplicates: 0, broken, judged: 0 }
     }
 
-    /// Counts cases that are no engine.
+    /// Counts cases of invalid geometry.
     pub(crate) fn add_invalid(&mut self, reason: Invalid, cases: u128) {
         self.cases += cases;
         match self.invalid.iter_mut().find(|count| count.reason == reason) {

@@ -77,7 +77,7 @@ pub enum ExploreError {
         /// The objective or constraint in words.
         what: String,
     },
-    /// More layouts that nothing beats than are kept.
+    /// More Pareto-optimal layouts than are kept.
     #[error(
         "more than {most} layouts are on the front\nhint: ask for fewer objectives or a coarser resolution, or allow \
          a larger front"

@@ -77,7 +77,7 @@ pub struct Exploration {
     pub done: Vec<Run>,
     /// What became of the cases.
     pub counts: Counts,
-    /// Layouts that nothing beats in all objectives, by the first objective.
+    /// Pareto-optimal layouts in all objectives, by the first objective.
     pub front: Vec<Candidate>,
     /// The first kinds of layout by the objectives in their order.
     pub ranking: Vec<Candidate>,
@@ -194,7 +194,7 @@ impl Explorer {
         &self.request
     }
 
-    /// Number of cases, those that are no engine, and duplicates, included.
+    /// Number of cases, those of invalid geometry, and duplicates, included.
     pub fn size(&self) -> u128 {
         self.size
     }
@@ -400,7 +400,7 @@ impl Explorer {
         }
     }
 
-    /// Why these sizes are no engine.
+    /// Why these sizes have an invalid geometry.
     pub(crate) fn invalid(&self, digits: &[usize; 7], layout: &Layout) -> Option<Invalid> {
         let parts = &self.request.space.parts;
         let several = layout.groups() > 1;
@@ -418,7 +418,7 @@ impl Explorer {
     /// The cranks of these sizes, prepared.
     pub(crate) fn block(&self, digits: &[usize; 7], layout: &Layout) -> Block {
         let unit =
-            self.units[digits[4]].as_ref().expect("invariant: sizes that are no engine are not prepared");
+            self.units[digits[4]].as_ref().expect("invariant: sizes of invalid geometry are not prepared");
         Block::new(&self.request.space.parts, unit, layout, &self.angles)
     }
 

@@ -1,4 +1,4 @@
-//! The front of cases that nothing beats, and the first of the ranking.
+//! The Pareto front of cases, and the first of the ranking.
 //!
 //! One case beats another if it is no worse in every objective and better in one. Objectives are compared in whole
 //! steps of their resolution, so that rounding decides nothing and "equal" is transitive: what is kept of a stretch of
@@ -8,7 +8,7 @@ use crate::explore::candidate::Candidate;
 use crate::explore::error::ExploreError;
 use std::cmp::Ordering;
 
-/// Cases that nothing beats. Of equal ones the lowest number is kept, with their count.
+/// Pareto-optimal cases. Of equal ones the lowest number is kept, with their count.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct Front {
     candidates: Vec<Candidate>,

@@ -46,7 +46,7 @@ pub enum ScatterError {
         /// Its output in words.
         output: String,
     },
-    /// A limit on something whose scatter is not told.
+    /// A limit on something whose scatter is not reported.
     #[error("the scatter tells {needed}; got a limit on `{got}`\nhint: give the limit on one of these")]
     Criterion {
         /// What it tells.

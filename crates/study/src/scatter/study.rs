@@ -132,7 +132,7 @@ impl ScatterOptions {
     /// What is drawn for `engine` with these tolerances.
     ///
     /// # Errors
-    /// [`ScatterError`] where a limit is on something that is not told, or the capability is none.
+    /// [`ScatterError`] where a limit is on something that is not reported, or the capability is none.
     pub fn request(&self, engine: &Engine, tolerances: &[Tolerance]) -> Result<ScatterRequest, ScatterError> {
         let outputs = [Output::Force { order: 1 }, Output::Couple { order: 1 }, Output::Force { order: 2 }]
             .into_iter()

@@ -49,7 +49,7 @@ pub struct PrimaryEllipse {
     /// Part that turns against the crank [kg m].
     #[schemars(with = "[f64; 2]")]
     pub backward: Complex64,
-    /// Longer half axis [kg m]: times `w^2` the peak of the force [N].
+    /// Semi-major axis [kg m]: times `w^2` the peak of the force [N].
     pub major: f64,
     /// Shorter half axis [kg m].
     pub minor: f64,

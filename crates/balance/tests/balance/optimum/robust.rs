@@ -152,7 +152,7 @@ fn errors_of_sampling_are_told() {
     assert_eq!(optimise_robust(&engine, &task, &request).unwrap().standard_error, answer.standard_error);
 }
 
-/// A search over drawn engines can be broken off between any two of its steps; one that is not is the same as without the question.
+/// A search over drawn engines can be cancelled between any two of its steps; one that is not is the same as without the question.
 #[test]
 fn it_stops_where_it_is_told_to() {
     use std::cell::Cell;

@@ -195,7 +195,7 @@ fn choice(found: &Arrangements, text: &str) -> Result<usize, Failure> {
         let names: Vec<&str> = spacing.front.iter().map(|&k| all[k].label.as_str()).collect();
         Failure::input(
             format_args!("--choose needs a number from 1 to {} or a name, got `{text}`", all.len()),
-            format_args!("nothing beats: {}; --all lists the others", names.join("; ")),
+            format_args!("Pareto-optimal: {}; --all lists the others", names.join("; ")),
         )
     })
 }

@@ -87,7 +87,7 @@ pub fn text(designs: &CounterweightDesigns) -> String {
                 proved_to(designs.task.settings.gap)
             ),
             false => format!(
-                "{}: the least {name} found is {value}; the proof was broken off after {} boxes; \
+                "{}: the least {name} found is {value}; the proof was stopped after {} boxes; \
                  hint: --max-boxes {} goes on, a wider --gap ends it earlier.\n",
                 shape.names,
                 best.boxes,
@@ -164,7 +164,7 @@ fn in_the_way(groups: &[Group<'_>]) -> String {
         if let DesignOutcome::Infeasible(infeasible) = group.outcome {
             out += &format!("\n{}", nearest_limits_table(&group.names, infeasible).text());
             if !infeasible.proved {
-                out += "The search was broken off: a shape may have been overlooked.\n";
+                out += "The search was stopped before its end: a shape may have been overlooked.\n";
             }
         }
     }

@@ -68,7 +68,7 @@ fn text(names: &str, room: Option<String>, front: &Front) -> String {
         true => {
             format!("For every design it is proved that no shape has less {first} with as little {second}.")
         }
-        false => "Not every design is proved to be the best: a search was broken off.".to_owned(),
+        false => "Not every design is proved to be the best: a search was stopped before its end.".to_owned(),
     };
     let room = room.map(|room| room + "\n").unwrap_or_default();
     format!("{names}\n{room}{proof}\n\n{}", front_designs_table(front).text())

@@ -104,7 +104,7 @@ pub(super) static SHAFT: Table = Table {
             "inertia",
             Inertia,
             NotNegative,
-            "Its polar moment of inertia about its axis: counts in torque and speed ripple, in the roll of the block and in runs in time.",
+            "Its polar moment of inertia about its axis: counts in torque and cyclic speed fluctuation, in the roll of the block and in runs in time.",
             "\"0.0008 kg m2\"",
         ),
         key(
@@ -119,7 +119,7 @@ pub(super) static SHAFT: Table = Table {
 
 pub(super) static GEAR: Table = Table {
     header: "[[gear]]",
-    doc: "A balanced wheel that turns with the crank: a gear, a pulley, a sprocket. Its inertia counts in torque and speed ripple (times the ratio squared), \
+    doc: "A balanced wheel that turns with the crank: a gear, a pulley, a sprocket. Its inertia counts in torque and cyclic speed fluctuation (times the ratio squared), \
           in the roll of the block (times the ratio) and in runs in time. It is a number, or follows from a disc of this diameter and width.",
     keys: &[
         key(

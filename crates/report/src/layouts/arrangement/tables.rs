@@ -64,7 +64,7 @@ pub fn front_table(found: &Arrangements, spacing: &SpacingArrangements, all: boo
         });
         columns.push(numbers("clearance", "mm", clearance, 3));
     }
-    let what = if all { "All arrangements" } else { "Arrangements that nothing beats" };
+    let what = if all { "All arrangements" } else { "Pareto-optimal arrangements" };
     let title = format!("{what}{}", at_spacing(spacing, found.spacings.len() == 1));
     let beaten = if all { "" } else { " Nothing else is as good in every column at once." };
     let note = format!(

@@ -6,7 +6,7 @@ export type Active = {
   /** Which criterion. */
   criterion: Criterion;
   /**
-   * Its share of the proof: the multipliers of a criterion add up to its weight in the stage (to the price of the
+   * Its share of the proof: the multipliers of a criterion add up to its weight in the stage (to the shadow price of the
    * limit for a limited one).
    */
   multiplier: number;
@@ -2485,7 +2485,7 @@ export type Method = {
   solves: number;
 } | {
   kind: "branch-and-bound";
-  /** Boxes of choices examined. */
+  /** Branch-and-bound nodes examined. */
   nodes: number;
   /** Cone programmes solved. */
   solves: number;
@@ -2556,7 +2556,7 @@ export type MountMode = {
   shape: [number, number, number, number, number, number];
 };
 
-/** Natural motions of the block. */
+/** Rigid-body modes of the block. */
 export type MountModes = {
   /** Damped modes, rising by `|root|`. More than six where some are overdamped. */
   damped: DampedMode[];
@@ -2718,7 +2718,7 @@ export type OpenFile = {
 
 /** The best design and its proof. */
 export type Optimum = {
-  /** What no design can get below, rounding apart [SI]; zero where the proof was broken off. */
+  /** What no design can get below, rounding apart [SI]; zero where the proof was stopped before its end. */
   bound: number;
   /** Boxes of the search. */
   boxes: number;
@@ -3555,7 +3555,7 @@ export type Statistic = "rms" | "mean" | "peak";
 /** Centre of stiffness: where the coupling of translation and rotation is symmetric. */
 export type StiffnessCentre = {
   /**
-   * Coupling left there, relative: the largest element of the coupling over the geometric mean of the largest stiffness
+   * Residual coupling there, relative: the largest element of the coupling over the geometric mean of the largest stiffness
    * of translation and of rotation. Where it vanishes, a force through this point does not turn the block: the point is
    * the elastic centre.
    */
@@ -3812,7 +3812,7 @@ export type TrainInertia = {
 export type Transmissibility = {
   /** Angular frequencies [rad/s], rising in equal ratios. */
   angular_frequency: number[];
-  /** For a unit load in each coordinate at the block's centre: what the mounts pass on in the same coordinate. */
+  /** For a unit load in each coordinate at the block's centre: the force transmitted in the same coordinate. */
   ratio: Array<[number, number, number, number, number, number]>;
 };
 

@@ -14,7 +14,7 @@ export interface Ring {
 
 /**
  * The crankcase, and of the pistons and liners beside this weight the nearest of each kind: the circle through the
- * point of it that the weight comes closest to. Crankshafts beside the origin have none: their axis is not told.
+ * point of it that the weight comes closest to. Crankshafts beside the origin have none: their axis is not reported.
  */
 export function ringsOf(clearances: Clearances | null | undefined, name: string): Ring[] {
   const body = clearances?.bodies.find((one) => one.name === name);
