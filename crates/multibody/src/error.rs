@@ -86,14 +86,14 @@ pub enum MultibodyError {
         /// Samples that are allowed.
         most_samples: f64,
     },
-    /// An imposed speed that ends at rest before the revolutions of the run are done.
+    /// An imposed speed that ends at rest, or backwards, before the revolutions of the run are done.
     #[error(
-        "the imposed speed stands at 0 from {at} s on, when the crankshaft has turned {turned:.4} revolutions: a run of {wanted} revolutions never ends\nhint: ask for fewer revolutions, or for a time"
+        "the imposed speed turns the crankshaft {turned:.4} revolutions until {at} s and no further: a run of {wanted} revolutions never ends\nhint: ask for fewer revolutions, or for a time"
     )]
     StandsStill {
-        /// Time from which the crankshaft turns no further [s].
+        /// Time at which the crankshaft has turned furthest [s].
         at: f64,
-        /// Revolutions until then.
+        /// Revolutions until then, from the start.
         turned: f64,
         /// Revolutions that were asked for.
         wanted: f64,

@@ -8,6 +8,7 @@ pub(crate) mod check;
 pub(crate) mod equilibrium;
 mod kept;
 pub(crate) mod kinks;
+mod profile;
 pub(crate) mod result;
 pub(crate) mod runner;
 mod watch;
@@ -20,10 +21,11 @@ use crate::reactions::{Instant, Scratch};
 use crate::run::audit::Auditor;
 use crate::run::check::check;
 use crate::run::kinks::kinks;
+use crate::run::profile::sampling_speed;
 use crate::run::result::{Cost, Happened, Occasion, RUN_VERSION, Run, RunOutcome, RunState, Samples};
 use crate::run::runner::Runner;
 use crate::simulation::{
-    Action, BlockMotion, BlockStart, Drive, Duration, Simulation, When, load_torque, straight,
+    Action, BlockMotion, BlockStart, Drive, Duration, FAST, Simulation, When, load_torque, straight,
 };
 use crate::train::Train;
 use kept::Kept;
@@ -33,9 +35,6 @@ use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 use std::rc::Rc;
 use watch::{Mark, Piece, Watch};
-
-/// Speed above which the crank angle is the independent variable, and the one above which it becomes it again [rad/s].
-const FAST: [f64; 2] = [5.0, 6.0];
 
 /// Revolutions of one piece over the angle, which bounds the list of kinks.
 const PIECE: f64 = 32.0 * TAU;
@@ -418,8 +417,7 @@ impl<'a> Runner<'a> {
         }
         settings.event_tolerance = 1e-13 * if over_angle { 1.0 } else { 0.1 };
         // Over time the samples are a step apart where the crank turns fastest in this piece, and closer elsewhere.
-        let fastest = profile_speeds.into_iter().fold(FAST[0], f64::max);
-        let grid = if over_angle { simulation.step } else { simulation.step / fastest };
+        let grid = simulation.step / if over_angle { 1.0 } else { sampling_speed(profile_speeds) };
         let origin = if over_angle { simulation.start_angle } else { 0.0 };
         // The commands of a governor with a dead time are kept at every step.
         settings.samples = delay.is_none().then_some(SampleGrid { origin, spacing: grid });

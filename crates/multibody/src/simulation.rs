@@ -27,7 +27,7 @@ pub struct Simulation {
     pub block: BlockMotion,
     /// Acceleration of gravity [m/s^2]; 0: off.
     pub gravity: f64,
-    /// Crank angle between two samples [rad].
+    /// Crank angle between two samples [rad]; with a profile of imposed speed the angle at the fastest speed between two of its points, and less elsewhere.
     pub step: f64,
     /// Relative tolerance of every step.
     pub tolerance: f64,
@@ -223,6 +223,9 @@ fn periodic(points: &[[f64; 2]], period: f64, x: f64) -> f64 {
     }
     straight(points, own)
 }
+
+/// Speed above which the crank angle is the independent variable, and the one above which it becomes it again [rad/s].
+pub(crate) const FAST: [f64; 2] = [5.0, 6.0];
 
 /// Value at `x` on straight lines through points that rise; constant beyond them, 0 without points.
 pub(crate) fn straight(points: &[[f64; 2]], x: f64) -> f64 {

@@ -22,7 +22,7 @@ pub struct PublishedArguments {
     /// matrix: webs with a counterweight, 1 or 0 for each from the free end; default: all.
     #[arg(long, value_name = "PATTERN")]
     pub webs: Option<String>,
-    /// matrix: counterweight offset angle; default: the one that leaves the least.
+    /// matrix: counterweight offset angle, from the line of its throw; default: the one that leaves the least.
     #[arg(long, value_name = "ANGLE", allow_hyphen_values = true)]
     pub alpha: Option<String>,
     /// matrix: distance of the counterweights' centre of gravity from the crank axis; default: the crank radius.

@@ -1,7 +1,8 @@
 //! What a run refuses before it starts.
 
 use crate::error::MultibodyError;
-use crate::simulation::{Action, BlockMotion, Drive, Duration, Simulation, straight};
+use crate::run::profile::course;
+use crate::simulation::{Action, BlockMotion, Drive, Duration, Simulation};
 use crate::train::Train;
 use nalgebra::{Matrix3, Matrix3x6, Matrix6, Vector3};
 use std::f64::consts::TAU;
@@ -48,7 +49,6 @@ pub(crate) fn check(train: &Train, simulation: &Simulation, with_gas: bool) -> R
         Duration::Revolutions(turns) => positive("duration [revolutions]", turns)?,
         Duration::Time(time) => positive("duration [s]", time)?,
     }
-    check_length(train, simulation)?;
     if simulation.driveline.len() > MOST_LINKS {
         return number(
             "number of inertias of the driveline",
@@ -105,18 +105,13 @@ pub(crate) fn check(train: &Train, simulation: &Simulation, with_gas: bool) -> R
             fastest,
             fastest > 0.0 || matches!(simulation.duration, Duration::Time(_)),
         )?;
-        if let Duration::Revolutions(wanted) = simulation.duration
-            && let Some([at, turned]) = standstill(profile)
-            && TAU * wanted >= turned * (1.0 - NEARLY)
-        {
-            return Err(MultibodyError::StandsStill { at, turned: turned / TAU, wanted });
-        }
     } else if let Some(rotor) = train.rotors.first().filter(|rotor| !rotor.known) {
         return Err(MultibodyError::NoInertia {
             part: rotor.name.clone(),
             keys: "`inertia` or `crankshaft_inertia` in [flywheel], or [crank.body]",
         });
     }
+    check_length(train, simulation)?;
     if with_gas {
         for (index, cylinder) in train.cylinders.iter().enumerate() {
             let missing = match (cylinder.area, cylinder.firing_angle) {
@@ -151,51 +146,24 @@ pub(crate) fn check(train: &Train, simulation: &Simulation, with_gas: bool) -> R
     }
 }
 
-/// A share of the angle until standstill: the last of it takes ever longer.
-const NEARLY: f64 = 1e-9;
-
-/// Time [s] at which a profile of times and speeds has turned the crankshaft furthest, and that angle [rad]; `None` where it turns for ever.
-///
-/// Between two points the speed runs straight, before the first and behind the last it is theirs.
-fn standstill(profile: &[[f64; 2]]) -> Option<[f64; 2]> {
-    if profile.last()?[1] > 0.0 {
-        return None;
-    }
-    let (mut at, mut speed) = (0.0, straight(profile, 0.0));
-    let (mut angle, mut furthest) = (0.0, [0.0, 0.0]);
-    for &[time, next] in profile.iter().filter(|point| point[0] > 0.0) {
-        let length = time - at;
-        // A speed that changes its sign is 0 in between.
-        if speed > 0.0 && next <= 0.0 {
-            let until = length * speed / (speed - next);
-            let there = angle + 0.5 * until * speed;
-            if there > furthest[1] {
-                furthest = [at + until, there];
-            }
-        }
-        angle += 0.5 * length * (speed + next);
-        (at, speed) = (time, next);
-    }
-    Some(furthest)
-}
-
 /// Refuses a run that would take longer than it may, before it starts.
 fn check_length(train: &Train, simulation: &Simulation) -> Result<(), MultibodyError> {
-    let fastest = match &simulation.drive {
-        Drive::Free => simulation.start_speed.max(simulation.governor.map_or(0.0, |governor| governor.speed)),
-        Drive::Imposed { profile, .. } => profile.iter().fold(0.0, |most, point| point[1].max(most)),
-    };
+    let fastest = simulation.start_speed.max(simulation.governor.map_or(0.0, |governor| governor.speed));
     let fastest = if fastest > 0.0 { fastest } else { train.highest_speed };
-    let turns = match simulation.duration {
-        Duration::Revolutions(turns) => turns,
-        Duration::Time(time) => time * fastest / TAU,
+    let (turns, sampled) = match (&simulation.drive, simulation.duration) {
+        (Drive::Imposed { profile, .. }, duration) => {
+            let course = course(profile, duration)?;
+            (course.turned / TAU, course.sampled)
+        }
+        (Drive::Free, Duration::Revolutions(turns)) => (turns, turns * TAU),
+        (Drive::Free, Duration::Time(time)) => (time * fastest / TAU, time * fastest),
     };
     let mut evaluations = turns * LEAST_EVALUATIONS;
     if let Some(governor) = simulation.governor.filter(|governor| governor.delay > 0.0) {
         // No step is longer than the dead time.
         evaluations = evaluations.max(STEP_EVALUATIONS * turns * TAU / fastest / governor.delay);
     }
-    let samples = turns * TAU / simulation.step;
+    let samples = sampled / simulation.step;
     let (most_evaluations, most_samples) =
         (simulation.most_evaluations as f64, simulation.most_samples as f64);
     if evaluations <= most_evaluations && samples <= most_samples {

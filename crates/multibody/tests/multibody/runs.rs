@@ -466,6 +466,15 @@ fn a_profile_that_ends_at_rest_bounds_the_revolutions() {
         let left = 100.0 - 0.1 * TAU - done.samples.theta.last().unwrap();
         assert!(left.abs() < PI / 180.0, "{left}");
     }
+    // A pause between two speeds counts by its samples, the turning by its evaluations.
+    let pauses = [[0.0, 100.0], [1.0, 0.0], [1e6, 0.0], [1e6 + 1.0, 100.0]];
+    for duration in [Duration::Revolutions(10.0), Duration::Time(1e6 + 1.0)] {
+        let refused = run(&pauses, duration).expect_err("it waits for days");
+        let MultibodyError::TooLong { samples, .. } = refused else { panic!("{refused}") };
+        assert!((samples / (5e6 / (PI / 180.0)) - 1.0).abs() < 1e-4, "{samples}");
+    }
+    let short = run(&pauses, Duration::Revolutions(5.0)).expect("before the pause");
+    assert_eq!(short.outcome, RunOutcome::Complete);
     // Over a time it may stand.
     let stands = run(&falls, Duration::Time(2.0)).expect("a time ends");
     assert_eq!(stands.outcome, RunOutcome::Complete);
