@@ -71,14 +71,17 @@ pub fn program(profile: Profile) -> Result<PathBuf> {
     Ok(target()?.join(profile.folder()).join(name))
 }
 
-/// Files that git tracks or would track, relative to the root, with `/`.
+/// Files that git tracks or would track, relative to the root, with `/`, by name: a new file has its place before it is added.
 pub fn files() -> Result<Vec<String>> {
     let listing = quiet(
         Command::new("git")
             .args(["ls-files", "--cached", "--others", "--exclude-standard"])
             .current_dir(root()),
     )?;
-    Ok(listing.lines().filter(|file| root().join(file).is_file()).map(str::to_owned).collect())
+    let mut files: Vec<String> =
+        listing.lines().filter(|file| root().join(file).is_file()).map(str::to_owned).collect();
+    files.sort_unstable();
+    Ok(files)
 }
 
 /// Text of a file given relative to the root; `None` if it is not UTF-8 text.
