@@ -91,9 +91,33 @@ impl Train {
 impl Equations {
     /// Rates of the seven speeds under `forces`; `None` where the mass matrix is not positive definite.
     pub fn accelerations(&self, forces: &[f64; 7]) -> Option<[f64; 7]> {
-        let mut matrix = self.mass;
-        let mut rates = std::array::from_fn(|i| forces[i] - self.bias[i]);
-        symmetric::solve(&mut matrix, &mut rates, 7)?;
+        // The rows of the origin's acceleration are `m a + B alpha = f`: what is left for `alpha` has the matrix `A - B^T B / m`.
+        let own: [f64; 7] = std::array::from_fn(|i| forces[i] - self.bias[i]);
+        let mass = self.mass[0][0];
+        if mass.is_nan() || mass <= 0.0 {
+            return None;
+        }
+        let by_mass = 1.0 / mass;
+        let mut matrix = [[0.0; 4]; 4];
+        let mut turns = [0.0; 4];
+        for i in 0..4 {
+            let row = &self.mass[3 + i];
+            let over_mass = [row[0] * by_mass, row[1] * by_mass, row[2] * by_mass];
+            for j in 0..=i {
+                let other = &self.mass[3 + j];
+                matrix[i][j] = row[3 + j]
+                    - (over_mass[0] * other[0] + over_mass[1] * other[1] + over_mass[2] * other[2]);
+            }
+            turns[i] =
+                own[3 + i] - (over_mass[0] * own[0] + over_mass[1] * own[1] + over_mass[2] * own[2]);
+        }
+        symmetric::solve(&mut matrix, &mut turns, 4)?;
+        let mut rates = [0.0; 7];
+        for k in 0..3 {
+            let carried: f64 = (0..4).map(|j| self.mass[k][3 + j] * turns[j]).sum();
+            rates[k] = (own[k] - carried) * by_mass;
+        }
+        rates[3..].copy_from_slice(&turns);
         Some(rates)
     }
 

@@ -467,6 +467,10 @@ impl<'a> Powered<'a> {
         rates: &mut [f64; MOST],
     ) -> Option<(f64, [f64; 2])> {
         let layout = self.layout;
+        if let (Own::Block(forces), 0, None) = (own, layout.links, driven.given) {
+            rates[..7].copy_from_slice(&self.equations.as_ref()?.accelerations(forces)?);
+            return Some((0.0, [0.0; 2]));
+        }
         let size = if N == MOST { layout.freedoms() } else { N };
         let mut matrix: Matrix<N> = [[0.0; N]; N];
         let mut rhs = [0.0; N];

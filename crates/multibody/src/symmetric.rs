@@ -6,7 +6,8 @@ pub(crate) const MOST: usize = 15;
 /// A square matrix of which the leading part counts.
 pub(crate) type Matrix<const N: usize> = [[f64; N]; N];
 
-/// Solves `matrix x = rhs` of `size` unknowns in place by Cholesky; `None` where the matrix is not positive definite.
+/// Solves `matrix x = rhs` of `size` unknowns in place by Cholesky, of which the lower half alone is read; `None` where the matrix is not positive definite.
+#[inline]
 pub(crate) fn solve<const N: usize>(matrix: &mut Matrix<N>, rhs: &mut [f64; N], size: usize) -> Option<()> {
     // Rows of L take the place of the lower half; divisions by its diagonal once each.
     let mut by_diagonal = [0.0; N];

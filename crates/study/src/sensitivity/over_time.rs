@@ -15,6 +15,11 @@ pub(super) fn constant(value: Dual64) -> OverTime {
     OverTime::from_re(value)
 }
 
+/// `factor` times a quantity over time, where the factor does not depend on time.
+pub(super) fn times(quantity: OverTime, factor: Dual64) -> OverTime {
+    OverTime::new(quantity.re * factor, quantity.v1 * factor, quantity.v2 * factor)
+}
+
 /// Cosine and sine of an angle [rad] that grows at a constant rate [rad/s].
 pub(super) fn circle(angle: Dual64, rate: Dual64) -> [OverTime; 2] {
     let (sin, cos) = OverTime::new(angle, rate, known(0.0)).sin_cos();

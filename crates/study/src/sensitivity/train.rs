@@ -13,7 +13,7 @@
 
 use super::follow::{Weights, rotating, throw_of};
 use super::input::Input;
-use super::over_time::{OverTime, circle, constant, known};
+use super::over_time::{OverTime, circle, constant, known, times};
 use super::prepared::{PistonGas, Prepared};
 use super::quantity::Quantity;
 use lanchester_model::{Engine, Ratio, RodJoint};
@@ -309,10 +309,10 @@ impl<'a> Train<'a> {
     fn crankpin(&self, theta: Dual64, throw: usize) -> Place {
         let own = &self.engine.throws[throw];
         let ratio = self.engine.crankshafts[own.crankshaft].ratio;
-        let radius = constant(self.part(Varied::CrankRadius, throw, own.radius));
+        let radius = self.part(Varied::CrankRadius, throw, own.radius);
         let angle = self.part(Varied::ThrowAngle, throw, own.angle) + self.phase(own.crankshaft);
         let [x, y] = self.circle(ratio, theta, angle);
-        beside(self.crankshaft_axis(own.crankshaft), [x * radius, y * radius])
+        beside(self.crankshaft_axis(own.crankshaft), [times(x, radius), times(y, radius)])
     }
 
     /// Direction of the axis of cylinder `index`.
@@ -325,18 +325,19 @@ impl<'a> Train<'a> {
     fn piston(&self, index: usize, big_end: Place) -> (OverTime, [Place; 2]) {
         let cylinder = &self.engine.cylinders[index];
         let centre = self.crank_axis(index);
-        let [along, across] = self.axes[index].map(constant);
+        let [along, across] = self.axes[index];
         let length = self.part(Varied::RodLength, index, cylinder.rod.length);
         let line = self.part(Varied::Offset, index, cylinder.offset);
         let net = line + self.of(Quantity::PinOffset, index, cylinder.pin_offset);
         // In the frame of the cylinder: u along its axis, v = i u.
         let centre = centre.map(constant);
         let [x, y] = [big_end[0] - centre[0], big_end[1] - centre[1]];
-        let (p, q) = (x * along + y * across, y * along - x * across - constant(net));
+        let (p, q) = (times(x, along) + times(y, across), times(y, along) - times(x, across) - constant(net));
         let travel = p + (constant(length * length) - q * q).sqrt();
+        let [travel_x, travel_y] = [times(travel, along), times(travel, across)];
         let place = |offset: Dual64| {
-            let offset = constant(offset);
-            [travel * along + centre[0] - offset * across, travel * across + centre[1] + offset * along]
+            let [x, y] = [constant(offset * across), constant(offset * along)];
+            [travel_x + centre[0] - x, travel_y + centre[1] + y]
         };
         (travel, [place(net), place(line)])
     }
@@ -354,8 +355,8 @@ impl<'a> Train<'a> {
         let [dx, dy] = [pin[0] - crankpin[0], pin[1] - crankpin[1]];
         let share = self.of(Quantity::KnuckleRadius, index, knuckle_radius) / length;
         let angle = self.of(Quantity::KnuckleAngle, index, knuckle_angle);
-        let [re, im] = [share * angle.cos(), share * angle.sin()].map(constant);
-        [crankpin[0] + dx * re - dy * im, crankpin[1] + dx * im + dy * re]
+        let [re, im] = [share * angle.cos(), share * angle.sin()];
+        [crankpin[0] + times(dx, re) - times(dy, im), crankpin[1] + times(dx, im) + times(dy, re)]
     }
 
     /// Rod and piston of cylinder `index` where crankshaft 1 stands at `theta` [rad].
