@@ -129,10 +129,8 @@ pub fn simulate_watched(
         RunLength::Periodic => {
             let found = train.periodic_watched(&simulation, gas, watch)?;
             let (outcome, residual, iterations) = (found.outcome, found.residual, found.iterations);
-            (
-                found.run,
-                Some(PeriodicResult { outcome, residual, iterations, multipliers: found.multipliers }),
-            )
+            let (multipliers, followed) = (found.multipliers, found.followed);
+            (found.run, Some(PeriodicResult { outcome, residual, iterations, multipliers, followed }))
         }
         _ => (train.run_watched(&simulation, gas, watch)?, None),
     };

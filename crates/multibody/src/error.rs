@@ -40,7 +40,8 @@ pub enum MultibodyError {
     },
     /// The numbers of the block are smaller than the parts that they hold.
     #[error(
-        "the block less {part} would have {quantity} of {got}: the numbers in [block] must hold all its parts, or say moving_parts = \"added\""
+        "the block less {part} would have {quantity} of {}: the numbers in [block] must hold all its parts, or say moving_parts = \"added\"",
+        four_digits(*got)
     )]
     BlockTooSmall {
         /// What was taken from it last.
@@ -98,14 +99,6 @@ pub enum MultibodyError {
         /// Revolutions that were asked for.
         wanted: f64,
     },
-    /// The motion that repeats is asked for, with a governor whose dead time makes all its past part of the state.
-    #[error(
-        "the periodic motion is not searched with a dead time of {delay} s of the governor: give it a `lag` instead, or run for a time until it has settled"
-    )]
-    DelayNotPeriodic {
-        /// Dead time [s].
-        delay: f64,
-    },
     /// A crankshaft is to turn as a body, and the file does not describe one.
     #[error("{name} cannot turn as a body: {reason}")]
     NoCrankBody {
@@ -128,4 +121,9 @@ pub enum MultibodyError {
         /// Crank angle of crankshaft 1 [rad].
         theta: f64,
     },
+}
+
+/// `value` with four significant digits.
+fn four_digits(value: f64) -> f64 {
+    format!("{value:.3e}").parse().unwrap_or(value)
 }

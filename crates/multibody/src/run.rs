@@ -76,18 +76,18 @@ impl Train {
         self.run_from(simulation, gas, None, watch)
     }
 
-    /// The same from the components of a periodic motion.
+    /// The same from the components of a periodic motion, with the past of a governor with a dead time.
     pub(crate) fn run_from(
         &self,
         simulation: &Simulation,
         gas: Option<&dyn GasPressure>,
-        returning: Option<&[f64]>,
+        returning: Option<(&[f64], Option<&History>)>,
         watch: &dyn Fn(RunState) -> bool,
     ) -> Result<Run, MultibodyError> {
         let mut runner = Runner::new(self, simulation, gas)?;
         runner.watch = watch;
-        if let Some(returning) = returning {
-            runner.rewind(returning);
+        if let Some((returning, past)) = returning {
+            runner.rewind(returning, past);
         }
         let mut auditor = Auditor::new(&mut runner);
         let mut samples = Samples::default();
@@ -141,7 +141,10 @@ impl<'a> Runner<'a> {
                     fired: vec![1.0; train.cylinders.len()],
                     misfires: vec![false; train.cylinders.len()],
                     load: simulation.load.law.clone(),
-                    starter: simulation.starter.is_some(),
+                    // One that would let go below the speed of the start is gone.
+                    starter: simulation
+                        .starter
+                        .is_some_and(|starter| simulation.start_speed < starter.until),
                     clutch_open: false,
                     sense: 1.0,
                     held: false,

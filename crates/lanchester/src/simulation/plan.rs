@@ -151,6 +151,13 @@ pub(crate) fn plan(
     for &cylinder in &request.misfire {
         simulation.events.push(Event { when: When::Angle(TAU), action: Action::Misfire(cylinder) });
     }
+    if length == RunLength::Periodic && !simulation.events.is_empty() {
+        notes.push(
+            "In the periodic motion misfires hold throughout, and nothing else happens on the way.".to_owned(),
+        );
+        simulation.events.retain(|event| matches!(event.action, Action::Misfire(_)));
+        simulation.events.iter_mut().for_each(|event| event.when = When::Angle(0.0));
+    }
     let wanted = request.on_mounts.or(input.block.map(|block| block == BlockKind::Mounts));
     let fitted = match wanted {
         Some(false) => Ok(None),
@@ -162,6 +169,7 @@ pub(crate) fn plan(
         simulation.block = BlockMotion::Mounts;
     } else {
         let given = match fitted {
+            Err(MultibodyError::NoMounts { missing }) => missing,
             Err(error) => error.to_string(),
             Ok(_) => train.fixed_because.clone().unwrap_or_default(),
         };
@@ -247,6 +255,15 @@ fn unused(
         ("`block` of `start`", input.start_block.is_some() && !moves),
         ("`point`", !input.points.is_empty() && !moves),
         ("`driveline_torque` of [block]", driveline_torque),
+        (
+            "the clutch of an event, which needs a [[driveline]]",
+            simulation.driveline.is_empty()
+                && simulation.events.iter().any(|event| event.action == Action::ClutchOpen),
+        ),
+        (
+            "[starter]: the run starts above its `until`",
+            simulation.starter.is_some_and(|starter| simulation.start_speed >= starter.until),
+        ),
         ("`gas = \"states\"`, which the bond graph alone has", input.gas_states),
     ]
     .into_iter()

@@ -107,6 +107,18 @@ impl History {
         })
     }
 
+    /// The same, seen from a clock that starts `time` [s] later.
+    pub fn earlier_by(&self, time: f64) -> History {
+        let step = |step: &Past| Past {
+            from: step.from - time,
+            to: step.to - time,
+            times: step.times.map(|t| t - time),
+            ..step.clone()
+        };
+        let jumps = self.jumps.iter().map(|jump| jump - time).collect();
+        History { steps: self.steps.iter().map(step).collect(), jumps, ..*self }
+    }
+
     /// Forgets what no time from `t` [s] on asks for.
     pub fn forget_before(&mut self, t: f64) {
         while self.steps.len() > 1 && self.steps.front().is_some_and(|first| first.to < t - 2.0 * self.delay)

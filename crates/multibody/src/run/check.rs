@@ -1,8 +1,9 @@
 //! What a run refuses before it starts.
 
+use crate::block::point_inertia;
 use crate::error::MultibodyError;
 use crate::run::profile::course;
-use crate::simulation::{Action, BlockMotion, Drive, Duration, Simulation};
+use crate::simulation::{Action, BlockMotion, Drive, Duration, ImposedAgainst, Simulation};
 use crate::train::Train;
 use nalgebra::{Matrix3, Matrix3x6, Matrix6, Vector3};
 use std::f64::consts::TAU;
@@ -14,8 +15,14 @@ const MOST_EVENTS: usize = 64;
 /// Evaluations that a revolution takes at the least: some 14 steps of an engine with one cylinder, 12 evaluations each.
 const LEAST_EVALUATIONS: f64 = 160.0;
 
+/// Roll of a block that a run of revolutions against the ground may need besides [rad].
+const MOST_ROLL: f64 = 0.25;
+
 /// Evaluations of one step.
 const STEP_EVALUATIONS: f64 = 12.0;
+
+/// Radians of the fastest oscillation, or times of the fastest decay, that one step goes: Dormand and Prince's eighth order is stable up to about 6.
+const STEP_REACHES: f64 = 6.0;
 
 /// Refuses what cannot be run.
 pub(crate) fn check(train: &Train, simulation: &Simulation, with_gas: bool) -> Result<(), MultibodyError> {
@@ -151,8 +158,9 @@ fn check_length(train: &Train, simulation: &Simulation) -> Result<(), MultibodyE
     let fastest = simulation.start_speed.max(simulation.governor.map_or(0.0, |governor| governor.speed));
     let fastest = if fastest > 0.0 { fastest } else { train.highest_speed };
     let (turns, sampled) = match (&simulation.drive, simulation.duration) {
-        (Drive::Imposed { profile, .. }, duration) => {
-            let course = course(profile, duration)?;
+        (Drive::Imposed { profile, against }, duration) => {
+            let rolls = simulation.block != BlockMotion::Fixed && *against == ImposedAgainst::Ground;
+            let course = course(profile, duration, if rolls { MOST_ROLL } else { 0.0 })?;
             (course.turned / TAU, course.sampled)
         }
         (Drive::Free, Duration::Revolutions(turns)) => (turns, turns * TAU),
@@ -163,6 +171,12 @@ fn check_length(train: &Train, simulation: &Simulation) -> Result<(), MultibodyE
         // No step is longer than the dead time.
         evaluations = evaluations.max(STEP_EVALUATIONS * turns * TAU / fastest / governor.delay);
     }
+    // No step is much longer than the fastest motion of driveline and block allows.
+    let time = match simulation.duration {
+        Duration::Time(time) => time,
+        Duration::Revolutions(_) => turns * TAU / fastest,
+    };
+    evaluations = evaluations.max(STEP_EVALUATIONS * time * fastest_rate(train, simulation) / STEP_REACHES);
     let samples = sampled / simulation.step;
     let (most_evaluations, most_samples) =
         (simulation.most_evaluations as f64, simulation.most_samples as f64);
@@ -170,6 +184,40 @@ fn check_length(train: &Train, simulation: &Simulation) -> Result<(), MultibodyE
         return Ok(());
     }
     Err(MultibodyError::TooLong { evaluations, samples, most_evaluations, most_samples })
+}
+
+/// The fastest natural frequency [rad/s] or rate of decay [1/s] of driveline and block, from above.
+///
+/// Every diagonal entry of `M^-1 K` and `M^-1 C` of a chain, taken twice, is above its largest eigenvalue (Gershgorin); of the block the springs of all mounts
+/// act on its mass, and at their distance on the least of its moments of inertia.
+fn fastest_rate(train: &Train, simulation: &Simulation) -> f64 {
+    let rate = |stiffness: f64, damping: f64, inertia: f64| {
+        (2.0 * stiffness / inertia).sqrt().max(2.0 * damping / inertia)
+    };
+    let mut fastest: f64 = 0.0;
+    for (index, link) in simulation.driveline.iter().enumerate() {
+        let next = simulation.driveline.get(index + 1);
+        let [stiffness, damping] = [
+            link.stiffness + next.map_or(0.0, |next| next.ratio.powi(2) * next.stiffness),
+            link.damping + next.map_or(0.0, |next| next.ratio.powi(2) * next.damping),
+        ];
+        fastest = fastest.max(rate(stiffness, damping, link.inertia));
+    }
+    if let (BlockMotion::Mounts, Some(block)) = (simulation.block, &train.block) {
+        let centre = block.first_moment / block.mass;
+        let mut sums = [0.0; 4];
+        for mount in &train.mounts {
+            let [stiffness, damping] = [mount.stiffness.norm(), mount.damping.norm()];
+            let square = (mount.at - centre).norm_squared();
+            sums[0] += stiffness;
+            sums[1] += damping;
+            sums[2] += stiffness * square;
+            sums[3] += damping * square;
+        }
+        let own = (block.inertia - point_inertia(block.mass, centre)).symmetric_eigenvalues().min();
+        fastest = fastest.max(rate(sums[0], sums[1], block.mass)).max(rate(sums[2], sums[3], own));
+    }
+    fastest
 }
 
 /// Stiffness below this share of the largest counts as none, with turns measured at the mounts.

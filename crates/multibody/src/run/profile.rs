@@ -1,7 +1,7 @@
 //! What a profile of imposed speed does until a run is over, before it is run.
 //!
 //! Between two points the speed runs straight, before the first and behind the last it is theirs. Angles are those that the profile gives: against the
-//! ground a block that rolls takes its own part of them.
+//! ground a block that rolls takes its own part of them, for which there must be room.
 
 use crate::error::MultibodyError;
 use crate::simulation::{Duration, FAST, straight};
@@ -19,13 +19,13 @@ pub(super) struct Course {
     pub sampled: f64,
 }
 
-/// Course of a profile.
+/// Course of a profile; a run of revolutions needs it to reach `beyond` [rad] farther.
 ///
 /// # Errors
 /// [`MultibodyError::StandsStill`] where a run of revolutions never ends.
-pub(super) fn course(profile: &[[f64; 2]], duration: Duration) -> Result<Course, MultibodyError> {
+pub(super) fn course(profile: &[[f64; 2]], duration: Duration, beyond: f64) -> Result<Course, MultibodyError> {
     let target = match duration {
-        Duration::Revolutions(wanted) => TAU * wanted,
+        Duration::Revolutions(wanted) => TAU * wanted + beyond,
         Duration::Time(_) => f64::INFINITY,
     };
     let (mut course, mut angle) = (Course::default(), 0.0);

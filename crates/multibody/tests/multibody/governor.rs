@@ -195,22 +195,76 @@ fn without_dead_time_and_lag_it_answers_at_once() {
     }
 }
 
-/// What a dead time makes part of the state is told.
+/// The periodic motion under a governor, from a start that drives it to an end of its range: that to which a long run comes.
+fn settles(delay: f64, gain: f64) {
+    let mut train = train(&fired(4));
+    train.rotors[0].inertia = 2.0;
+    let gas = gas(2.2);
+    let mut simulation = Simulation::free(175.0, 1.0);
+    simulation.load.law = LoadLaw::Constant(0.5 * mean_torque(&train, &gas));
+    simulation.step = 2.0 * TAU;
+    simulation.tolerance = 1e-11;
+    simulation.governor =
+        Some(Governor { speed: 157.0, gain, integral: 2.0, droop: 0.04, delay, lag: 0.0, start: 0.3 });
+    let found = train.periodic(&simulation, Some(&gas)).expect("it runs");
+    assert_eq!(found.outcome, PeriodicOutcome::Stable, "{} {:?}", found.residual, found.followed);
+    let followed = found.followed.expect("the start is far away");
+    assert!(followed.periods >= 20 && !followed.came_to_rest && followed.speeds[0] == 175.0, "{followed:?}");
+    let [first, last] = [found.run.samples.speed[0], found.run.end[2]];
+    assert!((last / first - 1.0).abs() < 1e-9, "{first} {last}");
+    simulation.duration = Duration::Time(130.0);
+    let long = train.run(&simulation, Some(&gas)).expect("it runs");
+    let settled = *long.samples.speed.last().expect("it has samples");
+    assert!((settled / first - 1.0).abs() < 1e-7, "{delay}: {settled} {first}");
+}
+
 #[test]
-fn no_periodic_motion_with_a_dead_time() {
-    let train = train(&fired(1));
-    let mut simulation = Simulation::free(150.0, 1.0);
-    simulation.governor = Some(Governor {
-        speed: 157.0,
-        gain: 0.02,
-        integral: 0.0,
-        droop: 0.0,
-        delay: 0.02,
-        lag: 0.0,
-        start: 0.3,
-    });
-    let error = train.periodic(&simulation, Some(&gas(2.0))).expect_err("its past is part of its state");
-    assert!(error.to_string().contains("lag"), "{error}");
+fn the_periodic_motion_under_a_governor_is_that_to_which_a_run_comes() {
+    settles(0.0, 0.05);
+}
+
+#[test]
+fn with_a_dead_time_the_motion_is_followed_until_it_repeats() {
+    settles(0.03, 0.03);
+    // Longer than the period of 0.08 s.
+    settles(0.1, 0.01);
+}
+
+/// More load than the engine carries: the run until it stands is shown. Less than it gives without a governor: the speed goes on rising.
+#[test]
+fn without_a_periodic_motion_what_happens_is_told() {
+    let train = train(&fired(4));
+    let gas = gas(1.8);
+    let torque = mean_torque(&train, &gas);
+    let with = |share: f64| {
+        let mut simulation = Simulation::free(150.0, 1.0);
+        simulation.load.law = LoadLaw::Constant(share * torque);
+        train.periodic(&simulation, Some(&gas)).expect("it runs")
+    };
+    let stalled = with(1.5);
+    let followed = stalled.followed.expect("it was followed");
+    assert!(stalled.outcome == PeriodicOutcome::NotFound && followed.came_to_rest, "{followed:?}");
+    assert!(matches!(stalled.run.outcome, RunOutcome::AtRest { .. }) && stalled.run.samples.speed[0] == 150.0);
+    let rising = with(0.9);
+    let followed = rising.followed.expect("it was followed");
+    assert!(rising.outcome == PeriodicOutcome::NotFound && !followed.came_to_rest);
+    let [start, before, last] = followed.speeds;
+    assert!(start < before && before < last && rising.run.end[2] > last, "{followed:?}");
+    assert!((rising.run.samples.speed[0] - last).abs() < 1e-9 * last);
+}
+
+/// A driveline too stiff for explicit steps is refused before the run.
+#[test]
+fn a_stiff_driveline_is_estimated_before_the_run() {
+    let train = train(&fired(4));
+    let mut simulation = Simulation::free(150.0, 10.0);
+    let link = DrivelineInertia { inertia: 1e-6, stiffness: 1e9, damping: 0.0, ratio: 1.0 };
+    simulation.driveline = vec![link];
+    let error = train.run(&simulation, None).expect_err("it would take 10 million evaluations");
+    assert!(matches!(error, MultibodyError::TooLong { evaluations, .. } if evaluations > 1e7), "{error}");
+    simulation.driveline = vec![DrivelineInertia { inertia: 0.5, stiffness: 1e4, ..link }];
+    let run = train.run(&simulation, None).expect("it runs");
+    assert!(run.outcome == RunOutcome::Complete && run.cost.evaluations < 100_000, "{:?}", run.cost);
 }
 
 /// Tolerances by kind of state are stated, and one that is given counts.

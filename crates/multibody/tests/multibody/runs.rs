@@ -466,6 +466,17 @@ fn a_profile_that_ends_at_rest_bounds_the_revolutions() {
         let left = 100.0 - 0.1 * TAU - done.samples.theta.last().unwrap();
         assert!(left.abs() < PI / 180.0, "{left}");
     }
+    // Against the ground a block on mounts may roll by what is missing: there must be room for it.
+    let on_mounts = self::train(&fired(4));
+    let rolling = |wanted: f64| {
+        let drive = Drive::Imposed { profile: falls.to_vec(), against: ImposedAgainst::Ground };
+        let duration = Duration::Revolutions(wanted);
+        let block = BlockMotion::Mounts;
+        on_mounts.run(&Simulation { drive, duration, block, ..Simulation::imposed(1.0, 1.0) }, None)
+    };
+    let refused = rolling(100.0 / TAU - 0.01).expect_err("its roll may bring it to a stand before");
+    assert!(matches!(refused, MultibodyError::StandsStill { .. }), "{refused}");
+    assert_eq!(rolling(100.0 / TAU - 0.1).expect("it gets there").outcome, RunOutcome::Complete);
     // A pause between two speeds counts by its samples, the turning by its evaluations.
     let pauses = [[0.0, 100.0], [1.0, 0.0], [1e6, 0.0], [1e6 + 1.0, 100.0]];
     for duration in [Duration::Revolutions(10.0), Duration::Time(1e6 + 1.0)] {

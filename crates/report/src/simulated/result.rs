@@ -1,6 +1,6 @@
 //! A simulated run with what its reader must know.
 
-use lanchester_multibody::{MainRule, Occasion, PeriodicOutcome, Run};
+use lanchester_multibody::{Followed, MainRule, Occasion, PeriodicOutcome, Run};
 use serde::Serialize;
 use std::f64::consts::TAU;
 
@@ -58,8 +58,10 @@ pub struct PeriodicResult {
     pub residual: f64,
     /// Newton's iterations.
     pub iterations: usize,
-    /// Multipliers by falling size: real and imaginary part.
+    /// Multipliers by falling size: real and imaginary part; empty where there are none to tell.
     pub multipliers: Vec<[f64; 2]>,
+    /// How far the motion was followed from the start, where Newton did not find it from there.
+    pub followed: Option<Followed>,
 }
 
 impl SimulationResult {

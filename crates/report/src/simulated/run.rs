@@ -6,8 +6,8 @@ use crate::kit::table::{Cell, Table};
 use crate::simulated::columns::{table, words};
 use crate::simulated::moving::{gears_table, points_table};
 use crate::simulated::orders::{joints_table, orders_table};
-use crate::simulated::result::{SimulationResult, occasion_words};
-use lanchester_multibody::{MainRule, Occasion, Outcome, PeriodicOutcome, Run, RunOutcome};
+use crate::simulated::result::{PeriodicResult, SimulationResult, occasion_words};
+use lanchester_multibody::{Followed, MainRule, Occasion, Outcome, PeriodicOutcome, Run, RunOutcome};
 use std::f64::consts::TAU;
 
 fn outcome_words(outcome: &RunOutcome) -> String {
@@ -46,24 +46,63 @@ pub fn simulation_words(result: &SimulationResult) -> Vec<String> {
         number::short(number::rpm(speed), 6)
     )];
     all.extend(stalled_words(run));
-    if let Some(periodic) = &result.periodic {
-        let largest = periodic.multipliers.first().map_or(0.0, |m| m[0].hypot(m[1]));
-        let found = match periodic.outcome {
-            PeriodicOutcome::Stable => "stable",
-            PeriodicOutcome::Neutral => "neutral, because the load does not depend on the speed",
-            PeriodicOutcome::Unstable => "unstable",
-            PeriodicOutcome::Cancelled => {
-                "cancelled: a period of the best trial so far is shown, which need not close"
-            }
-            PeriodicOutcome::NotFound => "not found: the last trial is shown, which does not close",
-        };
-        all.push(format!(
-            "Periodic motion: {found}; largest multiplier {largest:.6}, residual {:.1e} after {} iterations.",
-            periodic.residual, periodic.iterations
-        ));
-    }
+    all.extend(result.periodic.as_ref().map(periodic_words));
     all.extend(result.notes.iter().cloned());
     all
+}
+
+/// How the search for a periodic motion ended.
+fn periodic_words(periodic: &PeriodicResult) -> String {
+    let after = |followed: &Followed| {
+        format!("{} periods ({} s) after the start", followed.periods, number::short(followed.time, 4))
+    };
+    let found = match periodic.outcome {
+        PeriodicOutcome::Stable => "stable",
+        PeriodicOutcome::Neutral => "neutral, because the load does not depend on the speed",
+        PeriodicOutcome::Unstable => "unstable",
+        PeriodicOutcome::Cancelled => {
+            "cancelled: a period of the best trial so far is shown, which need not close"
+        }
+        PeriodicOutcome::NotFound => return no_periodic_words(periodic.followed.as_ref()),
+    };
+    let mut words = format!("Periodic motion: {found}");
+    words += &periodic
+        .followed
+        .as_ref()
+        .map_or_else(String::new, |followed| format!(", found {}", after(followed)));
+    if let Some([re, im]) = periodic.multipliers.first() {
+        words += &format!("; largest multiplier {:.6}", re.hypot(*im));
+    }
+    words + &format!("; residual {:.1e}, {} iterations.", periodic.residual, periodic.iterations)
+}
+
+/// What became of the engine where no periodic motion was found.
+fn no_periodic_words(followed: Option<&Followed>) -> String {
+    let Some(followed) = followed else {
+        return "Periodic motion: not found; one period from the start is shown.".to_owned();
+    };
+    let [first, before, last] = followed.speeds;
+    let rpm = |speed: f64| number::short(number::rpm(speed), 5);
+    let step = last - before;
+    if followed.came_to_rest {
+        return format!(
+            "Periodic motion: none found. From the start at {} rpm the engine comes to rest after {} whole periods: that run is shown.",
+            rpm(first),
+            followed.periods
+        );
+    }
+    let trend = match step.abs() > 1e-6 * last.abs() {
+        true if step > 0.0 => format!("still rises by {} rpm a period", rpm(step)),
+        true => format!("still falls by {} rpm a period", rpm(-step)),
+        false => "no longer changes, but other parts of the motion do".to_owned(),
+    };
+    format!(
+        "Periodic motion: none found. From the start at {} rpm the speed comes to {} rpm in {} periods, {} s, and {trend}: the next period is shown.",
+        rpm(first),
+        rpm(last),
+        followed.periods,
+        number::short(followed.time, 4)
+    )
 }
 
 /// Since when the crank stands at the end of a run that went on, and what friction and load hold there.
