@@ -108,8 +108,7 @@ impl Equations {
                 matrix[i][j] = row[3 + j]
                     - (over_mass[0] * other[0] + over_mass[1] * other[1] + over_mass[2] * other[2]);
             }
-            turns[i] =
-                own[3 + i] - (over_mass[0] * own[0] + over_mass[1] * own[1] + over_mass[2] * own[2]);
+            turns[i] = own[3 + i] - (over_mass[0] * own[0] + over_mass[1] * own[1] + over_mass[2] * own[2]);
         }
         symmetric::solve(&mut matrix, &mut turns, 4)?;
         let mut rates = [0.0; 7];

@@ -10,6 +10,7 @@
 //! and Newton starts again from there; where there is none, what became of the engine is told. A governor with a dead time has its past as a state: see
 //! `with_past`.
 
+mod outcome;
 mod search;
 mod with_past;
 
@@ -21,12 +22,10 @@ use crate::run::runner::Runner;
 use crate::simulation::{Duration, Simulation};
 use crate::train::Train;
 use nalgebra::DVector;
+pub use outcome::{Followed, PeriodicOutcome};
 use search::{NEARLY, Search, multipliers};
 use serde::Serialize;
 use std::cell::Cell;
-
-/// A multiplier closer to 1 than this has no preferred speed.
-const NEUTRAL: f64 = 1e-6;
 
 /// Periods by which the motion is followed forward before Newton starts again.
 const FOLLOWED: [usize; 2] = [20, 80];
@@ -46,35 +45,6 @@ pub struct Periodic {
     pub followed: Option<Followed>,
     /// One period from its start, with samples; where the crank came to rest on the way, the run from the start until then.
     pub run: Run,
-}
-
-/// How far a motion was followed.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
-pub struct Followed {
-    /// Whole periods.
-    pub periods: usize,
-    /// Their time [s].
-    pub time: f64,
-    /// Speed of crankshaft 1 [rad/s] at the start, one period before the end, and at the end.
-    pub speeds: [f64; 3],
-    /// Whether the crank came to rest in the period behind them.
-    pub came_to_rest: bool,
-}
-
-/// How the search for a periodic motion ended.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum PeriodicOutcome {
-    /// Found: small departures from it die out.
-    Stable,
-    /// Found: the load does not depend on the speed, so that departures of the speed stay.
-    Neutral,
-    /// Found: small departures from it grow.
-    Unstable,
-    /// Not found: the run shows the last period that was followed, which does not close, or how the crank came to rest.
-    NotFound,
-    /// Whoever watched the search ended it: the run is a period of the best trial so far, which need not close.
-    Cancelled,
 }
 
 impl Train {
@@ -141,7 +111,10 @@ impl Train {
             walk.end = Some((x.clone(), search.past.clone()));
             search.newton(&mut x);
         }
-        if search.residual >= NEARLY && !cancelled.get() && let Some((end, past)) = walk.end.take() {
+        if search.residual >= NEARLY
+            && !cancelled.get()
+            && let Some((end, past)) = walk.end.take()
+        {
             (x, search.past) = (end, past);
             search.residual = walk.off;
         }

@@ -142,9 +142,7 @@ impl<'a> Runner<'a> {
                     misfires: vec![false; train.cylinders.len()],
                     load: simulation.load.law.clone(),
                     // One that would let go below the speed of the start is gone.
-                    starter: simulation
-                        .starter
-                        .is_some_and(|starter| simulation.start_speed < starter.until),
+                    starter: simulation.starter.is_some_and(|starter| simulation.start_speed < starter.until),
                     clutch_open: false,
                     sense: 1.0,
                     held: false,

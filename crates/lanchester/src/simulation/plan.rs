@@ -153,7 +153,8 @@ pub(crate) fn plan(
     }
     if length == RunLength::Periodic && !simulation.events.is_empty() {
         notes.push(
-            "In the periodic motion misfires hold throughout, and nothing else happens on the way.".to_owned(),
+            "In the periodic motion misfires hold throughout, and nothing else happens on the way."
+                .to_owned(),
         );
         simulation.events.retain(|event| matches!(event.action, Action::Misfire(_)));
         simulation.events.iter_mut().for_each(|event| event.when = When::Angle(0.0));

@@ -1,7 +1,9 @@
 //! The map of one period over the components of the state that must return, and Newton's steps on it.
 
-use super::{History, NEUTRAL, PeriodicOutcome, Runner};
+use super::outcome::PeriodicOutcome;
+use crate::powered::History;
 use crate::run::result::RunOutcome;
+use crate::run::runner::Runner;
 use crate::simulation::Drive;
 use nalgebra::{DMatrix, DVector};
 
@@ -23,6 +25,9 @@ pub(super) const HELPS: f64 = 0.05;
 
 /// Step of the differences, as a share of the size of each kind of state.
 pub(super) const SHARE: f64 = 1e-5;
+
+/// A multiplier closer to 1 than this has no preferred speed.
+const NEUTRAL: f64 = 1e-6;
 
 /// Largest change of the speed in one of Newton's steps, as a share of the speed: farther away the derivative says nothing.
 const FARTHEST: f64 = 0.25;

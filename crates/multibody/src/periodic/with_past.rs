@@ -5,6 +5,7 @@
 //! says enough.
 
 use super::search::{CLOSED, HELPS, IDLE, ITERATIONS, SHARE, Search};
+use crate::powered::History;
 use nalgebra::{DMatrix, DVector};
 
 /// What changes by less than this share over the periods has died out: it is left to the motion.
@@ -80,7 +81,7 @@ impl Search<'_> {
     fn slope_ahead(
         &mut self,
         x: &DVector<f64>,
-        past: &Option<super::History>,
+        past: &Option<History>,
         change: &DVector<f64>,
         periods: usize,
     ) -> Option<DMatrix<f64>> {

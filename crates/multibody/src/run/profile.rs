@@ -23,7 +23,11 @@ pub(super) struct Course {
 ///
 /// # Errors
 /// [`MultibodyError::StandsStill`] where a run of revolutions never ends.
-pub(super) fn course(profile: &[[f64; 2]], duration: Duration, beyond: f64) -> Result<Course, MultibodyError> {
+pub(super) fn course(
+    profile: &[[f64; 2]],
+    duration: Duration,
+    beyond: f64,
+) -> Result<Course, MultibodyError> {
     let target = match duration {
         Duration::Revolutions(wanted) => TAU * wanted + beyond,
         Duration::Time(_) => f64::INFINITY,

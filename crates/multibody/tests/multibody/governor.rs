@@ -244,7 +244,9 @@ fn without_a_periodic_motion_what_happens_is_told() {
     let stalled = with(1.5);
     let followed = stalled.followed.expect("it was followed");
     assert!(stalled.outcome == PeriodicOutcome::NotFound && followed.came_to_rest, "{followed:?}");
-    assert!(matches!(stalled.run.outcome, RunOutcome::AtRest { .. }) && stalled.run.samples.speed[0] == 150.0);
+    assert!(
+        matches!(stalled.run.outcome, RunOutcome::AtRest { .. }) && stalled.run.samples.speed[0] == 150.0
+    );
     let rising = with(0.9);
     let followed = rising.followed.expect("it was followed");
     assert!(rising.outcome == PeriodicOutcome::NotFound && !followed.came_to_rest);
