@@ -115,6 +115,16 @@ pub enum MultibodyError {
         /// Why.
         reason: String,
     },
+    /// A saved state of another run.
+    #[error(
+        "the saved state has {got} numbers and is that of another engine or simulation: this one has {needed}"
+    )]
+    ForeignState {
+        /// Numbers of a state of this run.
+        needed: usize,
+        /// Numbers of the state that was saved.
+        got: usize,
+    },
     /// The equations of motion have no solution at a state.
     #[error("the mass matrix at crank angle {theta} rad is not positive definite")]
     Singular {

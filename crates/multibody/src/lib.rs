@@ -22,6 +22,7 @@ pub mod referee;
 mod rotor_shares;
 mod run;
 mod simulation;
+mod stepper;
 mod symmetric;
 mod train;
 
@@ -43,4 +44,5 @@ pub use referee::engine::RefereeEngine;
 pub use rotor_shares::RotorShares;
 pub use run::result::*;
 pub use simulation::*;
+pub use stepper::{Advance, StepInputs, Stepper, StepperState};
 pub use train::*;

@@ -101,6 +101,10 @@ pub(crate) struct Conditions {
     /// Cylinders that fire no more, whatever the fuel.
     pub misfires: Vec<bool>,
     pub load: LoadLaw,
+    /// Torque from outside on the shaft of the load besides, against positive rotation whatever the speed [N m].
+    pub demand: f64,
+    /// Factor from outside on the fired part of the gas, from 0 to 1.
+    pub fuel: f64,
     pub starter: bool,
     pub clutch_open: bool,
     /// Sense in which the crank turns or is about to: dry friction acts against it.
@@ -303,7 +307,8 @@ impl<'a> Powered<'a> {
         let mut places = std::mem::take(&mut self.places);
         self.train.places_into(theta, &mut places);
         let governor = self.governor_now(t, state);
-        self.set_gas(theta, speed, governor.map_or(1.0, |governor| governor.factor));
+        let throttle = governor.map_or(1.0, |governor| governor.factor) * self.conditions.fuel;
+        self.set_gas(theta, speed, throttle);
         let motion = self.motion(theta, state);
         let spin_z = motion.spin.z;
 
@@ -337,11 +342,12 @@ impl<'a> Powered<'a> {
         let held = self.conditions.held;
         let angle = layout.links.checked_sub(1).map_or(theta, |last| state[layout.link(last)]);
         let over_angle_alone = matches!(self.conditions.load, LoadLaw::Angle { .. });
-        let load = if held && ends.is_none() && !over_angle_alone {
+        let of_law = if held && ends.is_none() && !over_angle_alone {
             0.0
         } else {
-            -load_torque(&self.conditions.load, turning, angle)
+            load_torque(&self.conditions.load, turning, angle)
         };
+        let load = -of_law - self.conditions.demand;
         let friction = if held { 0.0 } else { -simulation.friction_torque * self.conditions.sense };
         let mut outer = over_angle + if starter_ground { starter } else { 0.0 };
         let mut inner = friction + if starter_ground { 0.0 } else { starter };

@@ -6,26 +6,27 @@ pub(crate) mod audit;
 mod block_loads;
 pub(crate) mod check;
 pub(crate) mod equilibrium;
-mod kept;
+pub(crate) mod kept;
 pub(crate) mod kinks;
+mod occasions;
 mod profile;
 pub(crate) mod result;
 pub(crate) mod runner;
+mod sampling;
 mod watch;
 
 use crate::error::MultibodyError;
 use crate::gas_pressure::GasPressure;
 use crate::mount_place::MountPlace;
 use crate::powered::{Conditions, History, Layout, Powered, Torques, counted, governor_now};
-use crate::reactions::{Instant, Scratch};
 use crate::run::audit::Auditor;
-use crate::run::check::check;
+use crate::run::check::{check, check_length};
 use crate::run::kinks::kinks;
 use crate::run::profile::sampling_speed;
-use crate::run::result::{Cost, Happened, Occasion, RUN_VERSION, Run, RunOutcome, RunState, Samples};
-use crate::run::runner::Runner;
+use crate::run::result::{Cost, RUN_VERSION, Run, RunOutcome, RunState, Samples};
+use crate::run::runner::{ANY_TIME, Runner};
 use crate::simulation::{
-    Action, BlockMotion, BlockStart, Drive, Duration, FAST, Simulation, When, load_torque, straight,
+    BlockMotion, BlockStart, Drive, Duration, FAST, Simulation, When, load_torque, straight,
 };
 use crate::train::Train;
 use kept::Kept;
@@ -39,14 +40,12 @@ use watch::{Mark, Piece, Watch};
 /// Revolutions of one piece over the angle, which bounds the list of kinks.
 const PIECE: f64 = 32.0 * TAU;
 
-/// Times [s] and angles [rad] closer than this are one moment.
-const SAME_MOMENT: f64 = 1e-11;
-
-/// Any time.
-const ANY_TIME: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
-
 /// Revolutions of one piece over the angle, and steps over the dead time, with a governor that has one.
 const WITH_DELAY: [f64; 2] = [2.0 * TAU, 0.9];
+
+/// Share of the way to the end of a call by which its last step may be longer than that way, and the least length of such a step [rad].
+const BEYOND: f64 = 1.1;
+const SHORTEST: f64 = 1e-6;
 
 /// Most samples of a piece for which room is made beforehand.
 const MOST_RESERVED: usize = 16_384;
@@ -93,8 +92,10 @@ impl Train {
         let mut samples = Samples::default();
         let mut kept = Kept::new(runner.state.len());
         kept.push(runner.time).copy_from_slice(&runner.state);
-        runner.take(&kept, &mut samples, &mut auditor);
-        let outcome = runner.go(|runner, kept| runner.take(kept, &mut samples, &mut auditor));
+        runner.take(&kept, &mut samples, |powered, theta, state| auditor.look(powered, theta, state));
+        let outcome = runner.go(|runner, kept| {
+            runner.take(kept, &mut samples, |powered, theta, state| auditor.look(powered, theta, state));
+        });
         let (audit, energy) = auditor.close(&mut runner);
         let tolerances = simulation.tolerances_at(simulation.start_speed.abs().max(1.0), runner.scale);
         Ok(Run {
@@ -119,8 +120,21 @@ impl<'a> Runner<'a> {
         gas: Option<&'a dyn GasPressure>,
     ) -> Result<Runner<'a>, MultibodyError> {
         check(train, simulation, gas.is_some())?;
+        check_length(train, simulation)?;
+        let mut runner = Runner::unstarted(train, simulation, gas, false);
+        runner.start();
+        Ok(runner)
+    }
+
+    /// What was checked, at crank angle and time 0; `is_stepped`: it goes on from call to call.
+    pub fn unstarted(
+        train: &'a Train,
+        simulation: &'a Simulation,
+        gas: Option<&'a dyn GasPressure>,
+        is_stepped: bool,
+    ) -> Runner<'a> {
         let layout = Layout {
-            counted: counted(train, simulation, gas.is_some()),
+            counted: counted(train, simulation, gas.is_some(), is_stepped),
             links: simulation.driveline.len(),
             moving: simulation.block != BlockMotion::Fixed,
             governed: simulation.governor.is_some(),
@@ -131,7 +145,7 @@ impl<'a> Runner<'a> {
             },
         };
         let period = TAU * f64::from(train.revolutions);
-        let mut runner = Runner {
+        Runner {
             powered: Powered {
                 train,
                 gas,
@@ -141,6 +155,8 @@ impl<'a> Runner<'a> {
                     fired: vec![1.0; train.cylinders.len()],
                     misfires: vec![false; train.cylinders.len()],
                     load: simulation.load.law.clone(),
+                    demand: 0.0,
+                    fuel: 1.0,
                     // One that would let go below the speed of the start is gone.
                     starter: simulation.starter.is_some_and(|starter| simulation.start_speed < starter.until),
                     clutch_open: false,
@@ -165,17 +181,18 @@ impl<'a> Runner<'a> {
             kinks: kinks(train, gas, simulation, period),
             period,
             pending: vec![true; simulation.events.len()],
+            until: simulation.duration,
+            is_stepped,
             step: None,
             cost: Cost::default(),
             happened: Vec::new(),
             scale: 1.0,
             watch: &|_| true,
-        };
-        runner.start();
-        Ok(runner)
+        }
     }
 
-    fn start(&mut self) {
+    /// Sets the state of the start.
+    pub fn start(&mut self) {
         let simulation = self.powered.simulation;
         let layout = self.powered.layout;
         self.state[0] = simulation.start_angle;
@@ -185,7 +202,8 @@ impl<'a> Runner<'a> {
         for (index, link) in simulation.driveline.iter().enumerate() {
             (angle, speed) = (link.ratio * angle, link.ratio * speed);
             let behind: f64 = simulation.driveline[index + 1..].iter().map(|link| link.ratio).product();
-            let torque = behind * load_torque(&simulation.load.law, speed * behind, angle * behind);
+            let load = load_torque(&simulation.load.law, speed * behind, angle * behind);
+            let torque = behind * (load + self.powered.conditions.demand);
             angle -= if link.stiffness > 0.0 { torque / link.stiffness } else { 0.0 };
             self.state[layout.link(index)] = angle;
             self.state[layout.link(index) + 1] = speed;
@@ -274,10 +292,9 @@ impl<'a> Runner<'a> {
     }
 
     fn ended(&mut self) -> Option<RunOutcome> {
-        let simulation = self.powered.simulation;
-        let over = match simulation.duration {
+        let over = match self.until {
             Duration::Revolutions(turns) => {
-                self.state[0] >= simulation.start_angle + TAU * turns * (1.0 - 1e-15)
+                self.state[0] >= self.powered.simulation.start_angle + TAU * turns * (1.0 - 1e-15)
             }
             Duration::Time(time) => self.time >= time * (1.0 - 1e-15),
         };
@@ -288,8 +305,8 @@ impl<'a> Runner<'a> {
     fn rests_for_good(&self) -> bool {
         let conditions = &self.powered.conditions;
         conditions.held
-            && (!self.powered.layout.moving
-                || matches!(self.powered.simulation.duration, Duration::Revolutions(_)))
+            && !self.is_stepped
+            && (!self.powered.layout.moving || matches!(self.until, Duration::Revolutions(_)))
     }
 
     fn at_rest(&self) -> RunOutcome {
@@ -312,7 +329,7 @@ impl<'a> Runner<'a> {
         let from = if over_angle { self.state[0] } else { self.time };
         let mut end = f64::INFINITY;
         let mut stops = Vec::new();
-        let until = match simulation.duration {
+        let until = match self.until {
             Duration::Revolutions(turns) => [simulation.start_angle + TAU * turns, f64::INFINITY],
             Duration::Time(time) => [f64::INFINITY, time],
         };
@@ -402,7 +419,11 @@ impl<'a> Runner<'a> {
             set(layout.relaxing()..layout.works(), kinds.displacement);
         }
         set(layout.works()..layout.dimension(), kinds.energy);
-        settings.first_step = self.step;
+        settings.first_step = self.step.map(|(was_over_angle, size)| match (was_over_angle, over_angle) {
+            (true, false) => size / self.state[1].max(1.0),
+            (false, true) => size * self.state[1],
+            _ => size,
+        });
         settings.stops = stops;
         settings.most_evaluations = simulation.most_evaluations.saturating_sub(self.cost.evaluations);
         // Over the angle a longer step would pass over what happens within a stroke.
@@ -411,6 +432,11 @@ impl<'a> Runner<'a> {
             let span = WITH_DELAY[1] * delay * if over_angle { self.state[1] } else { 1.0 };
             settings.longest_step = settings.longest_step.min(span);
         }
+        if over_angle && self.is_stepped && until[1].is_finite() {
+            // The last step goes little beyond the end, which is found on its interpolant.
+            let left = BEYOND * self.state[1] * (until[1] - self.time);
+            settings.longest_step = settings.longest_step.min(left.max(SHORTEST));
+        }
         if over_angle {
             // Twice a revolution or more the steps shorten towards a dead centre, and the estimate of their error passes through zero: measured on singles and
             // V6, fixed and on mounts, this rejects the fewest.
@@ -418,10 +444,15 @@ impl<'a> Runner<'a> {
         }
         settings.event_tolerance = 1e-13 * if over_angle { 1.0 } else { 0.1 };
         // Over time the samples are a step apart where the crank turns fastest in this piece, and closer elsewhere.
-        let grid = simulation.step / if over_angle { 1.0 } else { sampling_speed(profile_speeds) };
+        let grid = match self.is_stepped {
+            true => f64::INFINITY,
+            false => simulation.step / if over_angle { 1.0 } else { sampling_speed(profile_speeds) },
+        };
         let origin = if over_angle { simulation.start_angle } else { 0.0 };
         // The commands of a governor with a dead time are kept at every step.
-        settings.samples = delay.is_none().then_some(SampleGrid { origin, spacing: grid });
+        settings.dense = delay.is_some() || !self.is_stepped;
+        settings.samples =
+            (delay.is_none() && settings.dense).then_some(SampleGrid { origin, spacing: grid });
         let mut integrator = Dop853::new(settings);
         if over_angle {
             kept.reserve((((end - from) / grid) as usize + 2).min(MOST_RESERVED));
@@ -477,7 +508,8 @@ impl<'a> Runner<'a> {
         });
         let watches = system.watches;
         self.cost.add(integrator.statistics());
-        self.step = None;
+        self.step =
+            integrator.proposed_step().filter(|_| self.is_stepped).map(|size| (over_angle, size.abs()));
         if over_angle {
             self.time = y[0];
             y[0] = x;
@@ -512,158 +544,5 @@ impl<'a> Runner<'a> {
         let turns = ((from / self.period).floor() as i64)..=((to / self.period).ceil() as i64);
         let all = turns.flat_map(|turn| self.kinks.iter().map(move |kink| kink + self.period * turn as f64));
         all.filter(|kink| *kink > from + 1e-11 && *kink < to).collect()
-    }
-
-    fn note(&mut self, what: Occasion) {
-        let (time, theta, speed) = (self.time, self.state[0], self.state[1]);
-        if let Some(history) = &self.powered.history {
-            history.borrow_mut().jump(time);
-        }
-        self.happened.push(Happened { what, time, theta, speed });
-    }
-
-    /// Does what a watch asks for.
-    fn answer(&mut self, watch: Watch) -> Option<RunOutcome> {
-        let mark = match watch {
-            Watch::Grip => {
-                self.powered.conditions.held = false;
-                self.note(Occasion::Released);
-                self.halt(false);
-                return None;
-            }
-            Watch::Speed(_, _, mark) | Watch::Angle(_, mark) | Watch::Time(_, mark) => mark,
-        };
-        match mark {
-            Mark::Mode | Mark::Kink => None,
-            Mark::Knot => self.ended(),
-            Mark::Starter => {
-                self.powered.conditions.starter = false;
-                self.note(Occasion::StarterOff);
-                None
-            }
-            Mark::Halt => {
-                self.halt(true);
-                None
-            }
-            Mark::Event(index) => self.happen(Some(self.powered.simulation.events[index].when)),
-        }
-    }
-
-    /// All that happens at `when`, or whose time or angle has come, in the order of the list.
-    fn happen(&mut self, when: Option<When>) -> Option<RunOutcome> {
-        let simulation = self.powered.simulation;
-        for (index, event) in simulation.events.iter().enumerate() {
-            let has_come = match event.when {
-                When::Time(time) => self.time >= time - SAME_MOMENT,
-                When::Angle(angle) => self.state[0] >= simulation.start_angle + angle - SAME_MOMENT,
-                When::SpeedRises(_) | When::SpeedFalls(_) => false,
-            };
-            if !self.pending[index] || !(has_come || when == Some(event.when)) {
-                continue;
-            }
-            self.pending[index] = false;
-            self.note(Occasion::Event { index });
-            if let Some(end) = self.act(index) {
-                return Some(end);
-            }
-        }
-        None
-    }
-
-    fn act(&mut self, index: usize) -> Option<RunOutcome> {
-        let conditions = &mut self.powered.conditions;
-        match self.powered.simulation.events[index].action.clone() {
-            Action::Misfire(cylinder) => conditions.misfires[cylinder] = true,
-            Action::Fuel(share) => conditions.fired.fill(share),
-            Action::Load(law) => conditions.load = law,
-            Action::ClutchOpen => conditions.clutch_open = true,
-            Action::Stop => return Some(RunOutcome::Stopped),
-        }
-        let failed = conditions.fired.iter_mut().zip(&conditions.misfires).filter(|(_, misfires)| **misfires);
-        failed.for_each(|(fired, _)| *fired = 0.0);
-        None
-    }
-
-    /// The crank stands: friction holds it, or it goes on in the sense that the other torques give it.
-    fn halt(&mut self, noted: bool) {
-        self.state[1] = 0.0;
-        let theta = self.state[0];
-        self.powered.conditions.window = self.window(theta, self.powered.conditions.sense > 0.0);
-        self.powered.conditions.held = true;
-        let state = self.state.clone();
-        let mut rates = vec![0.0; state.len()];
-        self.powered.rates(self.time, theta, &state, &mut rates);
-        let left = -self.powered.holding;
-        if left.abs() <= self.powered.dry_torque() {
-            self.note(Occasion::Held);
-            return;
-        }
-        self.powered.conditions.held = false;
-        self.powered.conditions.sense = left.signum();
-        if noted {
-            self.note(Occasion::Reversed);
-        }
-    }
-
-    /// Evaluates what was kept.
-    fn take(&mut self, kept: &Kept, samples: &mut Samples, auditor: &mut Auditor) {
-        let conditions = &mut self.powered.conditions;
-        let before = (conditions.window, conditions.times, conditions.delayed);
-        (conditions.times, conditions.delayed) = ([0.0; 2], ANY_TIME);
-        let shares = if self.powered.simulation.reactions {
-            self.powered.train.main_shares(&self.powered.simulation.main_stiffness)
-        } else {
-            Vec::new()
-        };
-        samples.reserve(kept.len());
-        let mut scratch = Scratch::default();
-        let mut rates = vec![0.0; self.state.len()];
-        for (time, state) in kept.iter() {
-            let theta = state[0];
-            self.powered.conditions.window = self.window(theta, false);
-            self.powered.rates(time, theta, state, &mut rates);
-            let torques = self.powered.torques;
-            samples.time.push(time);
-            samples.theta.push(theta);
-            samples.speed.push(state[1]);
-            samples.acceleration.push(rates[1]);
-            samples.gas_torque.push(torques.gas);
-            samples.load_torque.push(torques.load);
-            samples.starter_torque.push(torques.starter);
-            samples.friction_torque.push(torques.friction);
-            samples.outside_torque.push(torques.outside);
-            samples.driveline_torque.push(torques.driveline);
-            if let Some(governor) = self.powered.governor_now(time, state) {
-                samples.governor.push(governor.factor);
-            }
-            let layout = self.powered.layout;
-            if layout.links > 0 {
-                let link = |index: usize| [state[layout.link(index)], state[layout.link(index) + 1]];
-                samples.driveline.push((0..layout.links).map(link).collect());
-            }
-            let motion = self.powered.motion(theta, state);
-            if layout.moving {
-                samples.position.push(motion.position.into());
-                samples.orientation.push(motion.orientation);
-                samples.velocity.push(motion.velocity.into());
-                samples.spin.push(motion.spin.into());
-                samples.mounts.push(self.powered.mount_forces(&motion, state));
-            }
-            if self.powered.simulation.reactions {
-                let instant = Instant {
-                    motion: &motion,
-                    places: &self.powered.places,
-                    rates: torques.rates,
-                    gas: &self.powered.forces,
-                    gravity: motion.rotation().tr_mul(&self.powered.gravity()),
-                    piston_damping: self.powered.simulation.piston_damping,
-                    guidance: self.powered.simulation.guidance,
-                };
-                samples.reactions.push(self.powered.train.reactions_with(&instant, &shares, &mut scratch));
-            }
-            auditor.look(&self.powered, theta, state);
-        }
-        let conditions = &mut self.powered.conditions;
-        (conditions.window, conditions.times, conditions.delayed) = before;
     }
 }

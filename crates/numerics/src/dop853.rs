@@ -59,6 +59,11 @@ impl Dop853 {
         self.statistics
     }
 
+    /// Length of the next step, as the last one proposes it: the first step of a run that goes on where this one ends. `None` before any.
+    pub fn proposed_step(&self) -> Option<f64> {
+        self.step
+    }
+
     /// Forgets step and signs of events: for a state that was set from outside.
     pub fn restart(&mut self) {
         self.step = self.settings.first_step;

@@ -21,7 +21,7 @@ const BESIDE: f64 = 1e-12;
 const BEYOND: f64 = 0.25;
 
 /// The command of a governor, before it is held within 0 and 1, over past times.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub(crate) struct History {
     /// Before the start.
     start: f64,
@@ -30,7 +30,7 @@ pub(crate) struct History {
     jumps: Vec<f64>,
 }
 
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 struct Past {
     from: f64,
     to: f64,

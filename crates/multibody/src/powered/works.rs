@@ -16,13 +16,19 @@ pub(crate) const OUTSIDE: usize = 5;
 pub(crate) const MOUNT_DAMPING: usize = 6;
 pub(crate) const DRIVELINE_DAMPING: usize = 7;
 
-/// Which works can be other than 0.
-pub(crate) fn counted(train: &Train, simulation: &Simulation, with_gas: bool) -> [bool; WORKS] {
+/// Which works can be other than 0; `is_stepped`: a torque of the load may come from outside.
+pub(crate) fn counted(
+    train: &Train,
+    simulation: &Simulation,
+    with_gas: bool,
+    is_stepped: bool,
+) -> [bool; WORKS] {
     let mut all = [false; WORKS];
     let loads = |action: &Action| matches!(action, Action::Load(_));
     all[GAS] = with_gas;
-    all[LOAD] =
-        simulation.load.law != LoadLaw::None || simulation.events.iter().any(|event| loads(&event.action));
+    all[LOAD] = is_stepped
+        || simulation.load.law != LoadLaw::None
+        || simulation.events.iter().any(|event| loads(&event.action));
     all[STARTER] = simulation.starter.is_some();
     all[FRICTION] = simulation.friction_torque != 0.0;
     all[PISTON_FRICTION] = simulation.piston_damping != 0.0;

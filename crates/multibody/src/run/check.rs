@@ -118,7 +118,6 @@ pub(crate) fn check(train: &Train, simulation: &Simulation, with_gas: bool) -> R
             keys: "`inertia` or `crankshaft_inertia` in [flywheel], or [crank.body]",
         });
     }
-    check_length(train, simulation)?;
     if with_gas {
         for (index, cylinder) in train.cylinders.iter().enumerate() {
             let missing = match (cylinder.area, cylinder.firing_angle) {
@@ -154,7 +153,7 @@ pub(crate) fn check(train: &Train, simulation: &Simulation, with_gas: bool) -> R
 }
 
 /// Refuses a run that would take longer than it may, before it starts.
-fn check_length(train: &Train, simulation: &Simulation) -> Result<(), MultibodyError> {
+pub(crate) fn check_length(train: &Train, simulation: &Simulation) -> Result<(), MultibodyError> {
     let fastest = simulation.start_speed.max(simulation.governor.map_or(0.0, |governor| governor.speed));
     let fastest = if fastest > 0.0 { fastest } else { train.highest_speed };
     let (turns, sampled) = match (&simulation.drive, simulation.duration) {

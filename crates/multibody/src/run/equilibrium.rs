@@ -76,7 +76,8 @@ fn unbalanced(runner: &mut Runner<'_>, turned: &Vector6<f64>) -> Vector6<f64> {
     if powered.simulation.load.reacts_on == crate::simulation::ReactsOn::Ground {
         let ratio: f64 = powered.simulation.driveline.iter().map(|link| link.ratio).product();
         let speed = ratio * powered.simulation.start_speed;
-        let torque = crate::simulation::load_torque(&powered.simulation.load.law, speed, ratio * theta);
+        let torque = crate::simulation::load_torque(&powered.simulation.load.law, speed, ratio * theta)
+            + powered.conditions.demand;
         moment -= rotation * Vector3::z() * torque;
     }
     Vector6::new(force.x, force.y, force.z, moment.x, moment.y, moment.z)

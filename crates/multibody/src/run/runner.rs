@@ -2,6 +2,10 @@
 
 use crate::powered::Powered;
 use crate::run::result::{Cost, Happened, RunState};
+use crate::simulation::Duration;
+
+/// Any time.
+pub(crate) const ANY_TIME: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
 
 /// A run in progress.
 pub(crate) struct Runner<'a> {
@@ -13,7 +17,12 @@ pub(crate) struct Runner<'a> {
     pub kinks: Vec<f64>,
     pub period: f64,
     pub pending: Vec<bool>,
-    pub step: Option<f64>,
+    /// Where it ends.
+    pub until: Duration,
+    /// Whether it goes on from call to call: no samples on the way, the integrator's step is kept, and rest is no end.
+    pub is_stepped: bool,
+    /// The next step as the integrator proposes it, and whether over the angle [rad] or time [s].
+    pub step: Option<(bool, f64)>,
     pub cost: Cost,
     pub happened: Vec<Happened>,
     pub scale: f64,

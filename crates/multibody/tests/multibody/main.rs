@@ -10,5 +10,6 @@ mod published;
 mod referee;
 mod runs;
 mod squeezer;
+mod stepper;
 #[path = "../../../mechanism/tests/mechanism/support/mod.rs"]
 mod support;
