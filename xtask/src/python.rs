@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 /// What wheel, tests and notebooks need from PyPI. The oldest versions that are known to do; numpy's types need 2.
-const PACKAGES: [&str; 18] = [
+const PACKAGES: [&str; 19] = [
     "maturin>=1.16,<2",
     "numpy>=2",
     "pytest>=9",
@@ -26,6 +26,7 @@ const PACKAGES: [&str; 18] = [
     "distributed>=2024.8",
     "pyuff>=2.4; python_version >= '3.11'",
     "fmpy>=0.3.24",
+    "libcosimpy>=0.0.5; python_version >= '3.11'",
     // What pyNastran needs but for NumPy.
     "scipy>=1.11",
     "cpylog>=1.4",

@@ -54,7 +54,7 @@ pub enum FmuRole {
 pub enum FmuKind {
     /// A number with its unit, and where it starts unless it is computed.
     Real {
-        /// One of those that [`model_description`] knows: `s`, `rad`, `rad/s`, `N`, `N.m`.
+        /// One of those that [`model_description`] knows: `1`, `s`, `m`, `m/s`, `rad`, `rad/s`, `rad/s2`, `N`, `N.m`.
         unit: &'static str,
         /// [unit]
         start: Option<f64>,
@@ -103,10 +103,14 @@ pub struct FmuDescription {
 }
 
 /// Units with the powers of kg, m, s and rad that they stand for.
-const UNITS: [(&str, [i32; 4]); 5] = [
+const UNITS: [(&str, [i32; 4]); 9] = [
+    ("1", [0, 0, 0, 0]),
     ("s", [0, 0, 1, 0]),
+    ("m", [0, 1, 0, 0]),
+    ("m/s", [0, 1, -1, 0]),
     ("rad", [0, 0, 0, 1]),
     ("rad/s", [0, 0, -1, 1]),
+    ("rad/s2", [0, 0, -2, 1]),
     ("N", [1, 1, -2, 0]),
     ("N.m", [1, 2, -2, 0]),
 ];
@@ -153,15 +157,21 @@ pub fn model_description(model: &FmuDescription, version: FmiVersion) -> String 
         model.stop, model.step
     );
     out += "  <ModelVariables>\n";
-    for variable in &model.variables {
+    // FMI 2.0 needs no variable for the time, and one library that many programs read it with (FMI Library) misses its start, which the standard forbids.
+    let variables: Vec<&FmuVariable> = model
+        .variables
+        .iter()
+        .filter(|own| version == FmiVersion::Three || own.role != FmuRole::Time)
+        .collect();
+    for variable in variables.iter().copied() {
         match version {
             FmiVersion::Two => push_two(&mut out, variable),
             FmiVersion::Three => push_three(&mut out, variable),
         }
     }
     out += "  </ModelVariables>\n  <ModelStructure>\n";
-    let outputs = model.variables.iter().enumerate().filter(|(_, own)| own.role == FmuRole::Output);
-    let outputs: Vec<(usize, &FmuVariable)> = outputs.collect();
+    let outputs: Vec<(usize, &FmuVariable)> =
+        variables.iter().copied().enumerate().filter(|(_, own)| own.role == FmuRole::Output).collect();
     match version {
         FmiVersion::Two => {
             for list in ["Outputs", "InitialUnknowns"] {

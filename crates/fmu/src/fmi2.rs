@@ -4,8 +4,10 @@
 #![allow(unsafe_code)]
 #![allow(non_snake_case, reason = "the standard's names")]
 
-use crate::handle::{self, ERROR, Log, c_text, list_mut, text, with};
-use crate::instance::{Instance, Phase};
+use crate::handle::{self, DISCARD, FATAL, Log, OK, c_text, list_mut, say, text, with};
+use crate::instance::Instance;
+use crate::phase::Phase;
+use crate::unit::Stepped;
 use std::ffi::{c_char, c_void};
 
 /// `fmi2CallbackLogger`: environment, instance, status, category, format as of `printf`, values.
@@ -39,18 +41,21 @@ pub extern "C" fn fmi2GetVersion() -> *const c_char {
     c"2.0".as_ptr()
 }
 
-/// Messages come where something is wrong, whatever is asked for here.
+/// Whether events are told; what is wrong is told in any case.
 ///
 /// # Safety
 /// As the standard has it.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2SetDebugLogging(
     component: *mut c_void,
-    _on: i32,
+    on: i32,
     _count: usize,
     _categories: *const *const c_char,
 ) -> i32 {
-    with(component, |_| Ok(()))
+    with(component, |instance| {
+        instance.is_verbose = on != 0;
+        Ok(())
+    })
 }
 
 /// Makes an instance; null, with a message, where it cannot be.
@@ -65,7 +70,7 @@ pub unsafe extern "C" fn fmi2Instantiate(
     resources: *const c_char,
     callbacks: *const Callbacks,
     _visible: i32,
-    _logging: i32,
+    logging: i32,
 ) -> *mut c_void {
     // SAFETY: a string that is null or ends with a zero; callbacks that are null or what the standard says.
     let (own_name, callbacks) = unsafe { (text(name), callbacks.as_ref()) };
@@ -74,7 +79,12 @@ pub unsafe extern "C" fn fmi2Instantiate(
     let own_name = c_text(own_name.as_deref().unwrap_or("lanchester"));
     let log: Log = Box::new(move |status, message| {
         if let Some(logger) = logger {
-            let category = if status == ERROR { c"logStatusError" } else { c"logStatusFatal" };
+            let category = match status {
+                OK => c"logAll",
+                DISCARD => c"logStatusDiscard",
+                FATAL => c"logStatusFatal",
+                _ => c"logStatusError",
+            };
             let message = c_text(message);
             // SAFETY: the caller's logger, called as the standard says; the message is a value, no format.
             unsafe {
@@ -94,7 +104,7 @@ pub unsafe extern "C" fn fmi2Instantiate(
         _ => Err("the unit is one for co-simulation, not for model exchange".to_owned()),
     };
     // SAFETY: strings of the caller, which are null or end with a zero.
-    unsafe { handle::made_from(guid, resources, kind, log) }
+    unsafe { handle::made_from(guid, resources, kind, logging != 0, log) }
 }
 
 /// Frees an instance.
@@ -140,7 +150,7 @@ pub unsafe extern "C" fn fmi2EnterInitializationMode(component: *mut c_void) -> 
 /// As the standard has it.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2ExitInitializationMode(component: *mut c_void) -> i32 {
-    with(component, |instance| instance.go(&[Phase::Initialising], Phase::Running))
+    with(component, Instance::initialised)
 }
 
 /// The run ends.
@@ -232,16 +242,26 @@ pub unsafe extern "C" fn fmi2SetBoolean(
     }
 }
 
-/// Goes on by a step with the inputs held.
+/// Goes on by a step with the inputs held; "discard" where an event of the engine file stops the run within it.
 ///
 /// # Safety
 /// As the standard has it.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2DoStep(component: *mut c_void, now: f64, step: f64, _no_return: i32) -> i32 {
-    with(component, |instance| {
+    let mut stepped = Stepped::default();
+    let status = with(component, |instance| {
         instance.go(&[Phase::Running], Phase::Running)?;
-        instance.step(now, step)
-    })
+        stepped = instance.step(now, step)?;
+        Ok(())
+    });
+    stepped.happened.iter().for_each(|own| say(component, OK, own));
+    match stepped.stopped {
+        Some(_) => {
+            say(component, DISCARD, "an event of the engine file stopped the run");
+            DISCARD
+        }
+        None => status,
+    }
 }
 
 /// Time up to which steps succeeded; other questions have no answer.
@@ -257,6 +277,23 @@ pub unsafe extern "C" fn fmi2GetRealStatus(component: *mut c_void, kind: i32, va
             return Err("the time of the last step is all that is known".to_owned());
         }
         place[0] = instance.time();
+        Ok(())
+    })
+}
+
+/// Whether the run has stopped for good; other questions have no answer.
+///
+/// # Safety
+/// As the standard has it.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2GetBooleanStatus(component: *mut c_void, kind: i32, value: *mut i32) -> i32 {
+    with(component, |instance| {
+        // SAFETY: one Boolean by the standard.
+        let place = unsafe { list_mut(value, 1)? };
+        if kind != 3 {
+            return Err("whether the run has stopped is all that is known".to_owned());
+        }
+        place[0] = i32::from(instance.has_stopped());
         Ok(())
     })
 }
@@ -314,7 +351,6 @@ without! {
     fmi2CancelStep: "a step is done when it returns",
     fmi2GetStatus: "a step is done when it returns",
     fmi2GetIntegerStatus: "there is no such status",
-    fmi2GetBooleanStatus: "there is no such status",
     fmi2GetStringStatus: "there is no such status",
 }
 

@@ -4,8 +4,9 @@
 #![allow(unsafe_code)]
 #![allow(non_snake_case, reason = "the standard's names")]
 
-use crate::handle::{self, ERROR, Log, c_text, list_mut, with};
-use crate::instance::{Instance, Phase};
+use crate::handle::{self, FATAL, Log, OK, c_text, list_mut, say, with};
+use crate::instance::Instance;
+use crate::phase::Phase;
 use std::ffi::{c_char, c_void};
 
 /// `fmi3LogMessageCallback`: environment, status, category, message.
@@ -17,25 +18,32 @@ pub extern "C" fn fmi3GetVersion() -> *const c_char {
     c"3.0".as_ptr()
 }
 
-/// Messages come where something is wrong, whatever is asked for here.
+/// Whether events are told; what is wrong is told in any case.
 ///
 /// # Safety
 /// As the standard has it.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi3SetDebugLogging(
     component: *mut c_void,
-    _on: u8,
+    on: u8,
     _count: usize,
     _categories: *const *const c_char,
 ) -> i32 {
-    with(component, |_| Ok(()))
+    with(component, |instance| {
+        instance.is_verbose = on != 0;
+        Ok(())
+    })
 }
 
 /// A logger of the caller.
 fn log_to(logger: Logger, environment: *mut c_void) -> Log {
     Box::new(move |status, message| {
         if let Some(logger) = logger {
-            let category = if status == ERROR { c"logStatusError" } else { c"logStatusFatal" };
+            let category = match status {
+                OK => c"logAll",
+                FATAL => c"logStatusFatal",
+                _ => c"logStatusError",
+            };
             let message = c_text(message);
             // SAFETY: the caller's logger, called as the standard says.
             unsafe { logger(environment, status, category.as_ptr(), message.as_ptr()) };
@@ -53,7 +61,7 @@ pub unsafe extern "C" fn fmi3InstantiateCoSimulation(
     token: *const c_char,
     resources: *const c_char,
     _visible: u8,
-    _logging: u8,
+    logging: u8,
     _event_mode: u8,
     _early_return: u8,
     _intermediate: *const u32,
@@ -63,7 +71,7 @@ pub unsafe extern "C" fn fmi3InstantiateCoSimulation(
     _intermediate_update: *const c_void,
 ) -> *mut c_void {
     // SAFETY: strings of the caller, which are null or end with a zero.
-    unsafe { handle::made_from(token, resources, Ok(()), log_to(logger, environment)) }
+    unsafe { handle::made_from(token, resources, Ok(()), logging != 0, log_to(logger, environment)) }
 }
 
 /// Refused: the unit is one for co-simulation.
@@ -82,7 +90,9 @@ pub unsafe extern "C" fn fmi3InstantiateModelExchange(
 ) -> *mut c_void {
     let refused = Err("the unit is one for co-simulation, not for model exchange".to_owned());
     // SAFETY: no string is read.
-    unsafe { handle::made_from(std::ptr::null(), std::ptr::null(), refused, log_to(logger, environment)) }
+    unsafe {
+        handle::made_from(std::ptr::null(), std::ptr::null(), refused, false, log_to(logger, environment))
+    }
 }
 
 /// Refused: the unit is one for co-simulation.
@@ -104,7 +114,9 @@ pub unsafe extern "C" fn fmi3InstantiateScheduledExecution(
 ) -> *mut c_void {
     let refused = Err("the unit is one for co-simulation, not for scheduled execution".to_owned());
     // SAFETY: no string is read.
-    unsafe { handle::made_from(std::ptr::null(), std::ptr::null(), refused, log_to(logger, environment)) }
+    unsafe {
+        handle::made_from(std::ptr::null(), std::ptr::null(), refused, false, log_to(logger, environment))
+    }
 }
 
 /// Frees an instance.
@@ -141,7 +153,7 @@ pub unsafe extern "C" fn fmi3EnterInitializationMode(
 /// As the standard has it.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi3ExitInitializationMode(component: *mut c_void) -> i32 {
-    with(component, |instance| instance.go(&[Phase::Initialising], Phase::Running))
+    with(component, Instance::initialised)
 }
 
 /// The run ends.
@@ -237,7 +249,7 @@ pub unsafe extern "C" fn fmi3SetBoolean(
     }
 }
 
-/// Goes on by a step with the inputs held.
+/// Goes on by a step with the inputs held; asks to end the run where an event of the engine file stops it within the step.
 ///
 /// # Safety
 /// As the standard has it.
@@ -252,17 +264,23 @@ pub unsafe extern "C" fn fmi3DoStep(
     early_return: *mut u8,
     last_time: *mut f64,
 ) -> i32 {
-    with(component, |instance| {
+    let mut happened = Vec::new();
+    let status = with(component, |instance| {
         instance.go(&[Phase::Running], Phase::Running)?;
-        instance.step(now, step)?;
-        for flag in [event_needed, terminate, early_return] {
+        let stepped = instance.step(now, step)?;
+        for (flag, is_set) in
+            [(event_needed, false), (terminate, stepped.stopped.is_some()), (early_return, false)]
+        {
             // SAFETY: null or the place of one Boolean by the standard.
-            unsafe { list_mut(flag, usize::from(!flag.is_null()))? }.fill(0);
+            unsafe { list_mut(flag, usize::from(!flag.is_null()))? }.fill(u8::from(is_set));
         }
         // SAFETY: null or the place of one number by the standard.
         unsafe { list_mut(last_time, usize::from(!last_time.is_null()))? }.fill(instance.time());
+        happened = stepped.happened;
         Ok(())
-    })
+    });
+    happened.iter().for_each(|own: &String| say(component, OK, own));
+    status
 }
 
 /// Saves the state.

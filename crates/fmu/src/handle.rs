@@ -7,7 +7,8 @@
 //! threads use one instance at a time.
 #![allow(unsafe_code)]
 
-use crate::instance::{Instance, Phase, State};
+use crate::instance::{Instance, State};
+use crate::phase::Phase;
 use std::any::TypeId;
 use std::collections::HashMap;
 use std::ffi::{CStr, CString, c_char, c_void};
@@ -17,7 +18,9 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 
 /// Status of both standards: all is well.
 pub const OK: i32 = 0;
-/// The call was refused; time and crank angle are as before.
+/// The step ended before its end (FMI 2.0).
+pub const DISCARD: i32 = 2;
+/// The call was refused; time and state are as before.
 pub const ERROR: i32 = 3;
 /// The instance is of no more use.
 pub const FATAL: i32 = 4;
@@ -84,7 +87,7 @@ pub fn with(component: *mut c_void, call: impl FnOnce(&mut Instance) -> Result<(
     }
     // SAFETY: the address lives, it was handed out as a component, and no other thread uses it.
     let component = unsafe { &mut *component.cast::<Component>() };
-    if component.instance.state.phase == Phase::Broken {
+    if component.instance.phase() == Phase::Broken {
         (component.log)(ERROR, "the instance is broken by an earlier failure and can only be freed");
         return ERROR;
     }
@@ -95,10 +98,19 @@ pub fn with(component: *mut c_void, call: impl FnOnce(&mut Instance) -> Result<(
             ERROR
         }
         Err(_) => {
-            component.instance.state.phase = Phase::Broken;
+            component.instance.break_off();
             (component.log)(FATAL, "Lanchester failed within; the instance can only be freed");
             FATAL
         }
+    }
+}
+
+/// Says something through the logger of an instance that lives.
+pub fn say(component: *mut c_void, status: i32, message: &str) {
+    if is_live::<Component>(component) {
+        // SAFETY: the address lives, it was handed out as a component, and no other thread uses it.
+        let component = unsafe { &*component.cast::<Component>() };
+        (component.log)(status, message);
     }
 }
 
@@ -114,7 +126,7 @@ pub fn free(component: *mut c_void) {
 pub unsafe fn save(component: *mut c_void, place: *mut *mut c_void) -> i32 {
     let mut saved = None;
     let status = with(component, |instance| {
-        saved = Some(instance.state.clone());
+        saved = Some(instance.saved());
         if place.is_null() { Err("there is no place for the state".to_owned()) } else { Ok(()) }
     });
     if let (OK, Some(state)) = (status, saved) {
@@ -135,8 +147,7 @@ pub fn restore(component: *mut c_void, saved: *mut c_void) -> i32 {
             return Err("this is no saved state, or it was freed".to_owned());
         }
         // SAFETY: a state lives there.
-        instance.state = unsafe { &*saved.cast::<State>() }.clone();
-        Ok(())
+        instance.restore(unsafe { &*saved.cast::<State>() })
     })
 }
 
@@ -253,6 +264,7 @@ pub unsafe fn made_from(
     token: *const c_char,
     resources: *const c_char,
     kind: Result<(), String>,
+    is_verbose: bool,
     log: Log,
 ) -> *mut c_void {
     // SAFETY: by the caller.
@@ -261,7 +273,9 @@ pub unsafe fn made_from(
         kind?;
         let needed = |what: Option<String>, name: &str| what.ok_or_else(|| format!("there is no {name}"));
         let folder = folder_of(&needed(resources, "folder of the resources")?)?;
-        Instance::new(&folder, &needed(token, "token of the description")?)
+        let mut instance = Instance::new(&folder, &needed(token, "token of the description")?)?;
+        instance.is_verbose = is_verbose;
+        Ok(instance)
     };
     made(make, log)
 }

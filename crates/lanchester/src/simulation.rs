@@ -2,24 +2,20 @@
 
 pub(crate) mod crank_bodies;
 pub(crate) mod plan;
+pub(crate) mod prepared;
 
 use crate::crosscheck::pair::CrossCheckError;
-use crate::inertias::rotor_inertia;
 use crate::pressure::measured::TraceFile;
-use crate::pressure::simulated::{GivenGas, gas_over_speed};
-use crate::simulation::plan::{RunPlan, action_words, plan};
+use crate::pressure::simulated::GivenGas;
+use crate::simulation::plan::action_words;
+use crate::simulation::prepared::{Prepared, prepare};
 use lanchester_file::EngineFile;
-use lanchester_mechanism::{GasTrain, Lever, LoadError, TorqueRequest, torque};
 pub use lanchester_model::RunLength;
 use lanchester_model::{MainSharing, NamedPoint};
-use lanchester_multibody::{
-    BlockMotion, Drive, GasPressure, Load, LoadLaw, MainRule, Motion, Occasion, ReactsOn, Run, RunState,
-    Train,
-};
+use lanchester_multibody::{BlockMotion, GasPressure, MainRule, Motion, Occasion, Run, RunState};
 use lanchester_report::{PeriodicResult, PointMotion, SIMULATION_VERSION, SimulationResult};
 use nalgebra::Vector3;
 pub use plan::SimulateRequest;
-use std::f64::consts::PI;
 
 /// Simulates `engine`; `traces` holds the files that [`crate::trace_names`] names.
 ///
@@ -55,74 +51,9 @@ pub fn simulate_watched(
     request: &SimulateRequest,
     watch: &dyn Fn(RunState) -> bool,
 ) -> Result<SimulationResult, CrossCheckError> {
-    let EngineFile { engine, tasks } = file;
-    let input = tasks.simulation.as_deref();
-    let mut train = Train::new(engine, &rotor_inertia(engine))?;
-    let RunPlan { mut simulation, length, reference_speed: speed, mut notes } =
-        plan(engine, input, &mut train, request)?;
-    simulation.torque = match input {
-        Some(input) => input.torque_orders().map_err(LoadError::Unread)?,
-        None => Vec::new(),
-    };
-    let is_imposed = matches!(simulation.drive, Drive::Imposed { .. });
-    let is_constant = matches!(&simulation.drive, Drive::Imposed { profile, .. } if profile.len() == 1);
-    let with_gas = request.gas.or(input.and_then(|input| input.gas)).unwrap_or(true);
-    let (reports, own) = match (&engine.gas, with_gas) {
-        (Some(_), true) => gas_over_speed(engine, traces, speed, !is_constant)?,
-        (Some(_), false) => {
-            notes.push("The gas of the file is left out.".to_owned());
-            (Vec::new(), 0)
-        }
-        (None, _) => (Vec::new(), 0),
-    };
-    if let [first, .., last] = &reports[..] {
-        notes.push(format!(
-            "The pressures follow the speed, on straight lines between {} speeds from {:.0} to {:.0} rpm.",
-            reports.len(),
-            first.speed * 30.0 / PI,
-            last.speed * 30.0 / PI
-        ));
-    }
-    let mut mean = 0.0;
-    if let Some(report) = reports.get(own) {
-        mean = GasTrain::new(engine, &report.cylinders, Lever::Exact)?.mean_torques().iter().sum();
-        if let Some(friction) = engine.friction {
-            let found = torque(
-                engine,
-                &report.cylinders,
-                &TorqueRequest { speed: Some(speed), samples: 4, max_order: 1, ..TorqueRequest::default() },
-            )?;
-            let brake = found.indicated.brake(&friction, speed);
-            simulation.friction_torque = (found.indicated.torque - brake.torque).max(0.0);
-            notes.push(format!(
-                "Friction: {:.4} N m, its mean effective pressure at {:.0} rpm as a constant torque.",
-                simulation.friction_torque,
-                speed * 30.0 / PI
-            ));
-        }
-        simulation.governor = input.and_then(|input| input.governor);
-    } else if input.is_some_and(|input| input.governor.is_some()) {
-        notes.push("Without gas the governor has nothing to act on: it is left out.".to_owned());
-    }
-    let in_file = input.and_then(|input| input.load.as_ref());
-    let law = match (&request.load, in_file) {
-        (Some(law), _) => law.clone(),
-        (None, Some(load)) => load.law.clone(),
-        (None, None) if is_imposed || reports.is_empty() => LoadLaw::None,
-        (None, None) => {
-            let load = (mean - simulation.friction_torque).max(0.0);
-            notes.push(format!(
-                "Load: {load:.4} N m, constant, the mean that the engine gives at {:.0} rpm.",
-                speed * 30.0 / PI
-            ));
-            LoadLaw::Constant(load)
-        }
-    };
-    let reacts_on = request.reacts_on.or(in_file.map(|load| load.reacts_on)).unwrap_or(ReactsOn::Ground);
-    simulation.load = Load { law, reacts_on };
-    if let Some(rotor) = train.unknown_inertia() {
-        notes.push(format!("The moment of inertia of {} is not known: it counts as 0.", rotor.name));
-    }
+    let engine = &file.engine;
+    let input = file.tasks.simulation.as_deref();
+    let Prepared { train, simulation, length, reports, own, mut notes, .. } = prepare(file, traces, request)?;
     let given = (!reports.is_empty()).then(|| GivenGas::over_speed(&reports));
     let gas = given.as_ref().map(|given| given as &dyn GasPressure);
     let (run, periodic) = match length {

@@ -32,12 +32,15 @@ pub enum ExportCommand {
         after_help = "Examples:\n  lanchester export exudyn four.toml --output four.py && pip install exudyn && python four.py"
     )]
     Exudyn(ScriptArguments),
-    /// The loads as a functional mock-up unit (FMI 2.0 or 3.0, co-simulation) for Simulink, Modelica tools, FMPy and others.
+    /// The loads, or the crank train at free speed, as a functional mock-up unit (FMI 2.0 or 3.0, co-simulation) for Simulink, Modelica tools, FMPy and others.
     #[command(after_help = "Examples:\n  lanchester export fmu four.toml --output four.fmu\n  \
-                            lanchester export fmu four.toml --fmi 3 --output four.fmu\n\n\
-                            Inputs: speed [rad/s], held over a step, and gas on or off. Outputs: crank angle, shaking force, couple, roll moment, \
-                            torque, and the forces on the mounts that the file gives, all as at that speed for good. The unit holds the engine file \
-                            and a binary for this platform.")]
+                            lanchester export fmu four.toml --fmi 3 --output four.fmu\n  \
+                            lanchester export fmu generator.toml --model crank-train --output generator.fmu\n\n\
+                            loads: inputs are speed [rad/s], held over a step, and gas on or off; outputs are crank angle, shaking force, couple, \
+                            roll moment, torque, and the forces on the mounts that the file gives, all as at that speed for good.\n\
+                            crank-train: inputs are load torque [N m] and fuel, held over a step; outputs are crank angle, speed, torques, motion of the \
+                            block and forces on the mounts, as `simulate` computes them at free speed, with the events of the file.\n\n\
+                            The unit holds the engine file and a binary for this platform.")]
     Fmu(UnitArguments),
 }
 
@@ -46,6 +49,8 @@ pub enum ExportCommand {
 pub enum UnitModel {
     /// The loads of the closed form at a speed that is given.
     Loads,
+    /// The crank train in time at free speed, as `simulate` runs it.
+    CrankTrain,
 }
 
 /// `export fmu`

@@ -3,7 +3,9 @@
 #![allow(unsafe_code, reason = "functions of C")]
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use lanchester::{LoadsModel, UNIT_ENGINE, unit_token};
+mod crank_train;
+
+use lanchester::{LoadsModel, UNIT_ENGINE, UnitKind, unit_token};
 use lanchester_fmu::fmi2::*;
 use lanchester_fmu::fmi3::*;
 use lanchester_fmu::handle::{ERROR, OK};
@@ -74,7 +76,7 @@ fn numbers(unit: *mut c_void, references: &[u32]) -> Vec<f64> {
 #[test]
 fn both_standards_step_to_the_loads_of_the_closed_form() {
     let folder = resources("steps", ENGINE);
-    let token = unit_token(ENGINE);
+    let token = unit_token(UnitKind::Loads, ENGINE);
     let (two, three) = (instance2(&folder, &token), instance3(&folder, &token));
     assert!(!two.is_null() && !three.is_null());
     let engine = lanchester::file::read(ENGINE).engine().unwrap();
@@ -125,7 +127,7 @@ fn both_standards_step_to_the_loads_of_the_closed_form() {
 #[test]
 fn a_saved_state_comes_back() {
     let folder = resources("states", ENGINE);
-    let unit = instance2(&folder, &unit_token(ENGINE));
+    let unit = instance2(&folder, &unit_token(UnitKind::Loads, ENGINE));
     // SAFETY: handles and arrays as the standard has them.
     unsafe {
         assert_eq!(fmi2EnterInitializationMode(unit), OK);
@@ -151,7 +153,7 @@ fn a_saved_state_comes_back() {
 fn a_step_that_cannot_be_leaves_time_and_angle() {
     // A cycle with heat release needs a speed.
     let text = include_str!("../../../../examples/single-gas.toml");
-    let unit = instance2(&resources("standstill", text), &unit_token(text));
+    let unit = instance2(&resources("standstill", text), &unit_token(UnitKind::Loads, text));
     // SAFETY: one reference and one value.
     unsafe {
         assert_eq!(fmi2EnterInitializationMode(unit), OK);
@@ -170,7 +172,7 @@ fn a_step_that_cannot_be_leaves_time_and_angle() {
 #[test]
 fn what_a_program_should_not_do_is_an_error_and_no_crash() {
     let folder = resources("hostile", ENGINE);
-    let token = unit_token(ENGINE);
+    let token = unit_token(UnitKind::Loads, ENGINE);
     let unit = instance3(&folder, &token);
     let mut value = [0.0f64];
     // SAFETY: wrong arguments are what is tried; the memory that is named is there.
@@ -229,7 +231,7 @@ fn units_that_cannot_be_say_why() {
     let cases = [
         (good.clone(), "another token", "export the unit anew".to_owned()),
         (good.join("nowhere"), "t", "cannot read engine.toml".to_owned()),
-        (bad, &unit_token("name = \"x\"\n"), "engine.toml: ".to_owned()),
+        (bad, &unit_token(UnitKind::Loads, "name = \"x\"\n"), "engine.toml: ".to_owned()),
     ];
     for (folder, token, words) in cases {
         assert!(instance3(&folder, token).is_null());

@@ -8,6 +8,7 @@ use lanchester_mechanism::CylinderGas;
 use lanchester_model::{CrankcasePressure, Engine, GasSource};
 use lanchester_multibody::GasPressure;
 use lanchester_results::PeriodicCurve;
+use std::borrow::Cow;
 
 /// Jump of a value or of a slope over a radian, as a share of the curve's range, that counts as a kink.
 const KINK: f64 = 1e-6;
@@ -20,20 +21,28 @@ const STEPS: usize = 4;
 pub struct GivenGas<'a> {
     /// Speeds [rad/s], rising.
     speeds: Vec<f64>,
-    gas: Vec<&'a [CylinderGas]>,
+    gas: Vec<Cow<'a, [CylinderGas]>>,
     kinks: Vec<Vec<f64>>,
 }
 
 impl<'a> GivenGas<'a> {
     /// From one entry a cylinder, whatever the speed.
     pub fn new(gas: &'a [CylinderGas]) -> GivenGas<'a> {
-        GivenGas { speeds: vec![0.0], gas: vec![gas], kinks: all_kinks(&[gas]) }
+        GivenGas { speeds: vec![0.0], gas: vec![Cow::Borrowed(gas)], kinks: all_kinks(&[gas]) }
     }
 
     /// From reports at several speeds that rise.
     pub fn over_speed(reports: &'a [GasReport]) -> GivenGas<'a> {
         let gas: Vec<&[CylinderGas]> = reports.iter().map(|report| &report.cylinders[..]).collect();
-        GivenGas { speeds: reports.iter().map(|report| report.speed).collect(), kinks: all_kinks(&gas), gas }
+        let kinks = all_kinks(&gas);
+        let gas = gas.into_iter().map(Cow::Borrowed).collect();
+        GivenGas { speeds: reports.iter().map(|report| report.speed).collect(), kinks, gas }
+    }
+
+    /// The same with its own copy of the pressures.
+    pub fn owned(self) -> GivenGas<'static> {
+        let gas = self.gas.into_iter().map(|own| Cow::Owned(own.into_owned())).collect();
+        GivenGas { speeds: self.speeds, gas, kinks: self.kinks }
     }
 }
 

@@ -12,6 +12,7 @@ mod checks;
 mod clearance;
 mod corpus;
 mod crank_cycle;
+mod crank_train_unit;
 mod crosscheck;
 mod crosscheck_layouts;
 mod fatigue;

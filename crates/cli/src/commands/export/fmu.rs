@@ -1,12 +1,12 @@
-//! `lanchester export fmu`: the loads as a functional mock-up unit.
+//! `lanchester export fmu`: the loads, or the crank train at free speed, as a functional mock-up unit.
 
 use crate::commands::open;
 use crate::failure::Failure;
-use crate::files::write_new;
+use crate::files::{tell, write_new};
 use crate::options::export::{UnitArguments, UnitModel};
 use crate::trace_files::trace_files;
 use lanchester::exchange_formats::FmiVersion;
-use lanchester::{LoadsModel, UnitBinary, loads_unit};
+use lanchester::{CrankTrainModel, LoadsModel, UnitBinary, UnitParts, crank_train_unit, loads_unit};
 use lanchester_files::shown;
 use std::env::consts::{ARCH, DLL_PREFIX, DLL_SUFFIX, OS};
 use std::path::PathBuf;
@@ -15,12 +15,24 @@ pub fn run(arguments: &UnitArguments, colour: bool) -> Result<(), Failure> {
     let opened = open(&arguments.file, colour)?;
     let traces = trace_files(&opened.file.engine, &arguments.file)?;
     let version = if arguments.fmi == 2 { FmiVersion::Two } else { FmiVersion::Three };
+    let parts = || -> Result<UnitParts<'_>, Failure> {
+        Ok(UnitParts { engine_file: &opened.source.text, traces: &traces, binary: binary()?, version })
+    };
     let unit = match arguments.model {
         UnitModel::Loads => {
-            let model = LoadsModel::new(opened.file.engine, traces.clone()).map_err(Failure::refused)?;
-            loads_unit(&model, &opened.source.text, &traces, binary()?, version).map_err(Failure::refused)?
+            let engine = opened.file.engine.clone();
+            let model = LoadsModel::new(engine, traces.clone()).map_err(Failure::refused)?;
+            loads_unit(&model, parts()?)
+        }
+        UnitModel::CrankTrain => {
+            let model = CrankTrainModel::new(&opened.file, &traces).map_err(Failure::refused)?;
+            for note in model.notes() {
+                tell(format_args!("note: {note}"));
+            }
+            crank_train_unit(&model, parts()?)
         }
     };
+    let unit = unit.map_err(Failure::refused)?;
     write_new(&arguments.output, unit)
 }
 

@@ -1,0 +1,109 @@
+//! A run with its gas, friction and load, before it starts.
+
+use crate::crosscheck::pair::CrossCheckError;
+use crate::inertias::rotor_inertia;
+use crate::pressure::cylinders::GasReport;
+use crate::pressure::measured::TraceFile;
+use crate::pressure::simulated::gas_over_speed;
+use crate::simulation::plan::{RunPlan, SimulateRequest, plan};
+use lanchester_file::EngineFile;
+use lanchester_mechanism::{GasTrain, Lever, LoadError, TorqueRequest, torque};
+use lanchester_model::RunLength;
+use lanchester_multibody::{Drive, Load, LoadLaw, ReactsOn, Simulation, Train};
+use std::f64::consts::PI;
+
+/// A run before it starts.
+pub(crate) struct Prepared {
+    pub train: Train,
+    pub simulation: Simulation,
+    pub length: RunLength,
+    /// Speed at which friction and the mean torque of the gas are judged [rad/s].
+    pub reference_speed: f64,
+    /// The gas at one speed or at several that rise; empty without gas.
+    pub reports: Vec<GasReport>,
+    /// Which of them is that at the reference speed.
+    pub own: usize,
+    /// Whether neither request nor file gives a load, so that the mean torque of the gas is it.
+    pub is_load_chosen: bool,
+    /// What the user should know.
+    pub notes: Vec<String>,
+}
+
+/// Prepares the run of a file; `traces` holds the files that [`crate::trace_names`] names.
+pub(crate) fn prepare(
+    file: &EngineFile,
+    traces: &[TraceFile],
+    request: &SimulateRequest,
+) -> Result<Prepared, CrossCheckError> {
+    let EngineFile { engine, tasks } = file;
+    let input = tasks.simulation.as_deref();
+    let mut train = Train::new(engine, &rotor_inertia(engine))?;
+    let RunPlan { mut simulation, length, reference_speed: speed, mut notes } =
+        plan(engine, input, &mut train, request)?;
+    simulation.torque = match input {
+        Some(input) => input.torque_orders().map_err(LoadError::Unread)?,
+        None => Vec::new(),
+    };
+    let is_imposed = matches!(simulation.drive, Drive::Imposed { .. });
+    let is_constant = matches!(&simulation.drive, Drive::Imposed { profile, .. } if profile.len() == 1);
+    let with_gas = request.gas.or(input.and_then(|input| input.gas)).unwrap_or(true);
+    let (reports, own) = match (&engine.gas, with_gas) {
+        (Some(_), true) => gas_over_speed(engine, traces, speed, !is_constant)?,
+        (Some(_), false) => {
+            notes.push("The gas of the file is left out.".to_owned());
+            (Vec::new(), 0)
+        }
+        (None, _) => (Vec::new(), 0),
+    };
+    if let [first, .., last] = &reports[..] {
+        notes.push(format!(
+            "The pressures follow the speed, on straight lines between {} speeds from {:.0} to {:.0} rpm.",
+            reports.len(),
+            first.speed * 30.0 / PI,
+            last.speed * 30.0 / PI
+        ));
+    }
+    let mut mean = 0.0;
+    if let Some(report) = reports.get(own) {
+        mean = GasTrain::new(engine, &report.cylinders, Lever::Exact)?.mean_torques().iter().sum();
+        if let Some(friction) = engine.friction {
+            let found = torque(
+                engine,
+                &report.cylinders,
+                &TorqueRequest { speed: Some(speed), samples: 4, max_order: 1, ..TorqueRequest::default() },
+            )?;
+            let brake = found.indicated.brake(&friction, speed);
+            simulation.friction_torque = (found.indicated.torque - brake.torque).max(0.0);
+            notes.push(format!(
+                "Friction: {:.4} N m, its mean effective pressure at {:.0} rpm as a constant torque.",
+                simulation.friction_torque,
+                speed * 30.0 / PI
+            ));
+        }
+        simulation.governor = input.and_then(|input| input.governor);
+    } else if input.is_some_and(|input| input.governor.is_some()) {
+        notes.push("Without gas the governor has nothing to act on: it is left out.".to_owned());
+    }
+    let in_file = input.and_then(|input| input.load.as_ref());
+    let mut is_load_chosen = false;
+    let law = match (&request.load, in_file) {
+        (Some(law), _) => law.clone(),
+        (None, Some(load)) => load.law.clone(),
+        (None, None) if is_imposed || reports.is_empty() => LoadLaw::None,
+        (None, None) => {
+            is_load_chosen = true;
+            let load = (mean - simulation.friction_torque).max(0.0);
+            notes.push(format!(
+                "Load: {load:.4} N m, constant, the mean that the engine gives at {:.0} rpm.",
+                speed * 30.0 / PI
+            ));
+            LoadLaw::Constant(load)
+        }
+    };
+    let reacts_on = request.reacts_on.or(in_file.map(|load| load.reacts_on)).unwrap_or(ReactsOn::Ground);
+    simulation.load = Load { law, reacts_on };
+    if let Some(rotor) = train.unknown_inertia() {
+        notes.push(format!("The moment of inertia of {} is not known: it counts as 0.", rotor.name));
+    }
+    Ok(Prepared { train, simulation, length, reference_speed: speed, reports, own, is_load_chosen, notes })
+}
