@@ -95,7 +95,7 @@ pub fn map(
             let found = PyDict::new(py);
             for (place, name) in names.iter().enumerate().take(width) {
                 let column: Vec<f64> = rows.iter().map(|row| row[place]).collect();
-                found.set_item(name, array(py, &[count], &column)?)?;
+                found.set_item(name, array(py, vec![count], column)?)?;
             }
             Ok(found.into_any().unbind())
         }

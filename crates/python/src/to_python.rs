@@ -1,11 +1,11 @@
 //! Any serialisable result as Python values: numbers in lists become NumPy arrays, structures dictionaries.
 //!
-//! One pass over the result, one copy into memory of Python, which NumPy then looks at and cannot change: results stay what they are.
+//! One pass over the result collects its numbers; NumPy looks at them where they then are, without a copy, and cannot change them: results stay what they are.
 
 use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
-use pyo3::types::{PyBytes, PyDict, PyList};
+use pyo3::types::{PyBytes, PyDict, PyList, PyTuple};
 use serde::ser::{self, Serialize};
 use std::fmt;
 
@@ -28,31 +28,44 @@ impl Converted {
         match self {
             Converted::Float(number) => number.into_py_any(py),
             Converted::Object(object) => Ok(object),
-            Converted::Floats(shape, numbers) => Ok(array(py, &shape, &numbers)?.unbind()),
+            Converted::Floats(shape, numbers) => Ok(array(py, shape, numbers)?.unbind()),
         }
     }
 }
 
-/// Numbers as a NumPy array that looks at memory of Python: read-only.
+/// Numbers that NumPy looks at in place. An array holds the object that it was made from, and nothing changes the numbers.
+#[pyclass(frozen, module = "lanchester._native")]
+pub struct Numbers {
+    shape: Vec<usize>,
+    numbers: Vec<f64>,
+}
+
+#[pymethods]
+impl Numbers {
+    /// Where they are and how they lie there, by version 3 of NumPy's protocol: read-only doubles of this machine in C order.
+    #[getter]
+    fn __array_interface__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let how = PyDict::new(py);
+        how.set_item("version", 3)?;
+        how.set_item("typestr", if cfg!(target_endian = "big") { ">f8" } else { "<f8" })?;
+        how.set_item("shape", PyTuple::new(py, &self.shape)?)?;
+        how.set_item("data", (self.numbers.as_ptr() as usize, true))?;
+        Ok(how)
+    }
+}
+
+/// Numbers as a NumPy array that looks at them where they are: read-only.
 ///
 /// # Errors
 /// Where NumPy is not installed, or there is no memory left.
-pub fn array<'py>(py: Python<'py>, shape: &[usize], numbers: &[f64]) -> PyResult<Bound<'py, PyAny>> {
-    static FROM_BUFFER: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
-    let from_buffer = FROM_BUFFER
-        .get_or_try_init(py, || Ok::<_, PyErr>(py.import("numpy")?.getattr("frombuffer")?.unbind()))?;
+pub fn array(py: Python<'_>, shape: Vec<usize>, numbers: Vec<f64>) -> PyResult<Bound<'_, PyAny>> {
+    static AS_ARRAY: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
     if numbers.is_empty() {
-        return py.import("numpy")?.call_method1("empty", (shape.to_vec(),));
+        return py.import("numpy")?.call_method1("empty", (shape,));
     }
-    let memory = PyBytes::new_with(py, 8 * numbers.len(), |bytes| {
-        for (place, number) in bytes.chunks_exact_mut(8).zip(numbers) {
-            place.copy_from_slice(&number.to_ne_bytes());
-        }
-        Ok(())
-    })?;
-    // Without a type NumPy reads doubles.
-    let flat = from_buffer.bind(py).call1((memory,))?;
-    if shape.len() == 1 { Ok(flat) } else { flat.call_method1("reshape", (shape.to_vec(),)) }
+    let as_array =
+        AS_ARRAY.get_or_try_init(py, || Ok::<_, PyErr>(py.import("numpy")?.getattr("asarray")?.unbind()))?;
+    as_array.bind(py).call1((Numbers { shape, numbers },))
 }
 
 /// The numbers of an array, a list or anything else that NumPy makes an array of one dimension of.

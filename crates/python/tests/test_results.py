@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import json
 import os
 import subprocess
@@ -199,3 +200,26 @@ def test_what_is_found_can_be_adopted() -> None:
         search.adopt(10_000)
     with pytest.raises(RequestError, match="finds nothing"):
         Engine.template("single").loads().adopt()
+
+
+def test_arrays_look_at_numbers_of_the_result_in_place() -> None:
+    """No copy: the array owns nothing, holds what does, and outlives the result that it came from."""
+    engine = Engine.template("single")
+    trace = engine.loads(samples=720).total.trace
+    force = trace.force_x
+    wanted = force.tolist()
+    assert not force.flags.owndata and not force.flags.writeable
+    owner = force.base
+    while isinstance(owner, np.ndarray):
+        owner = owner.base
+    assert type(owner).__name__ == "Numbers"
+    assert owner.__array_interface__["data"] == (force.__array_interface__["data"][0], True)
+    # Rows are one array with one owner too.
+    rows = engine.loads(samples=1).total.orders.column("force_forward")
+    assert rows.ndim == 2
+    del trace, owner
+    gc.collect()
+    engine.loads(samples=720)
+    assert force.tolist() == wanted
+    with pytest.raises(ValueError, match="read-only"):
+        force[0] = 1.0

@@ -43,3 +43,25 @@ fn units_hold_description_binary_and_engine_file() {
         assert_eq!(fs::read(folder.join(&unit)).unwrap(), bytes);
     }
 }
+
+#[test]
+fn the_crank_train_is_a_second_model() {
+    let folder = folder("export-crank-train");
+    fs::write(folder.join(format!("{DLL_PREFIX}lanchester_fmu{DLL_SUFFIX}")), "a library").unwrap();
+    let engine = examples().join("generator-set-3.toml").display().to_string();
+    let export = |engine: &str, unit: &str| {
+        copied(&folder, &["export", "fmu", engine, "--model", "crank-train", "--output", unit])
+    };
+    let said = export(&engine, "set.fmu");
+    assert!(said.status.success(), "{said:?}");
+    let notes = String::from_utf8(said.stderr).unwrap();
+    assert!(notes.contains("note: Friction: "), "{notes}");
+    assert!(folder.join("set.fmu").exists());
+    // Free speed needs a moment of inertia; nothing is written.
+    let engine = examples().join("v6-60.toml").display().to_string();
+    let said = export(&engine, "v6.fmu");
+    let told = String::from_utf8(said.stderr).unwrap();
+    assert_eq!(said.status.code(), Some(2), "{told}");
+    assert!(told.contains("moment of inertia"), "{told}");
+    assert!(!folder.join("v6.fmu").exists());
+}

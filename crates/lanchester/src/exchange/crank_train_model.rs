@@ -4,7 +4,7 @@ use crate::crosscheck::pair::CrossCheckError;
 use crate::pressure::measured::TraceFile;
 use crate::pressure::simulated::GivenGas;
 use crate::simulation::plan::{SimulateRequest, action_words};
-use crate::simulation::prepared::{Prepared, prepare};
+use crate::simulation::prepared::{CHOSEN_LOAD, Prepared, prepare};
 use lanchester_exchange::{FmuKind, FmuRole, FmuVariable};
 use lanchester_file::EngineFile;
 use lanchester_model::RunLength;
@@ -103,12 +103,23 @@ impl CrankTrainModel {
         let request = SimulateRequest { imposed: Some(false), ..SimulateRequest::default() };
         let prepared = prepare(file, traces, &request)?;
         let Prepared {
-            train, mut simulation, length, reference_speed, reports, is_load_chosen, notes, ..
+            train,
+            mut simulation,
+            length,
+            reference_speed,
+            reports,
+            is_load_chosen,
+            mut notes,
+            ..
         } = prepared;
         simulation.reactions = false;
         let mut load = 0.0;
         if is_load_chosen && let LoadLaw::Constant(torque) = simulation.load.law {
             (load, simulation.load.law) = (torque, LoadLaw::None);
+            notes.retain(|note| !note.starts_with(CHOSEN_LOAD));
+            notes.push(format!(
+                "The file gives no load: the input starts with {load:.4} N m, the mean torque that the engine gives at its start speed."
+            ));
         }
         let revolution = TAU / reference_speed;
         let duration = match length {

@@ -12,6 +12,9 @@ use lanchester_model::RunLength;
 use lanchester_multibody::{Drive, Load, LoadLaw, ReactsOn, Simulation, Train};
 use std::f64::consts::PI;
 
+/// How the note begins that tells the load of a run for which nobody gives one.
+pub(crate) const CHOSEN_LOAD: &str = "Load:";
+
 /// A run before it starts.
 pub(crate) struct Prepared {
     pub train: Train,
@@ -94,7 +97,7 @@ pub(crate) fn prepare(
             is_load_chosen = true;
             let load = (mean - simulation.friction_torque).max(0.0);
             notes.push(format!(
-                "Load: {load:.4} N m, constant, the mean that the engine gives at {:.0} rpm.",
+                "{CHOSEN_LOAD} {load:.4} N m, constant, the mean that the engine gives at {:.0} rpm.",
                 speed * 30.0 / PI
             ));
             LoadLaw::Constant(load)
