@@ -193,3 +193,26 @@ fn every_end_of_a_run_is_an_outcome_and_none_hangs() {
     let (outcome, ..) = run(|_, _, dy| dy[0] = f64::NAN, 1.0, Settings::uniform(1, 1e-9));
     assert_eq!(outcome, Outcome::NotFinite { component: 0 });
 }
+
+/// A run that is cut into short ones goes on with the step that the last one proposes: an integrator that is told it needs no more evaluations than one that keeps it itself.
+#[test]
+fn a_run_goes_on_with_the_proposed_step() {
+    let settings = Settings::uniform(4, 1e-10);
+    let mut kept = Dop853::new(settings.clone());
+    let (mut t, mut y) = (0.0, ellipse(0.3, 0.0).to_vec());
+    let (mut told_t, mut told_y) = (t, y.clone());
+    let (mut step, mut evaluations) = (None, 0);
+    assert_eq!(kept.proposed_step(), None);
+    for piece in 1..=40 {
+        let end = 0.05 * f64::from(piece);
+        assert_eq!(kept.run(&mut Function::new(4, kepler), &mut t, &mut y, end, |_| GO), Outcome::Reached);
+        let mut told = Dop853::new(Settings { first_step: step, ..settings.clone() });
+        let outcome = told.run(&mut Function::new(4, kepler), &mut told_t, &mut told_y, end, |_| GO);
+        assert_eq!(outcome, Outcome::Reached);
+        step = told.proposed_step();
+        evaluations += told.statistics().evaluations;
+        assert_eq!((t, &y, kept.proposed_step()), (told_t, &told_y, step));
+    }
+    assert_eq!(kept.statistics().evaluations, evaluations);
+    assert!(step.is_some_and(|step| step > 0.05), "a short piece does not shorten it: {step:?}");
+}
