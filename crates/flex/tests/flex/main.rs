@@ -10,4 +10,5 @@ mod crank_parts;
 mod elements;
 mod reduction;
 mod rings;
+mod springs;
 mod train;

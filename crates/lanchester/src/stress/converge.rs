@@ -1,7 +1,8 @@
 //! Stress and modes on three meshes, extrapolated.
 
 use crate::pressure::measured::TraceFile;
-use crate::stress::request::{ModesRequest, StaticRequest, StressError, StressMesh, StressStage};
+use crate::stress::mesh::StressMesh;
+use crate::stress::request::{ModesRequest, StaticRequest, StressError, StressStage};
 use crate::stress::run::{crank_modes, static_stress};
 use lanchester_flex::crank_mesh::CrankMeshOptions;
 use lanchester_flex::richardson::richardson;
@@ -129,8 +130,8 @@ mod tests {
     fn meshes_of_a_study_become_finer() {
         for fillet_elements in [2, 4, 6, 8] {
             let options = CrankMeshOptions { fillet_elements, ..CrankMeshOptions::default() };
-            let counts =
-                meshes(StressMesh { crankshaft: 0, options }).map(|mesh| mesh.options.fillet_elements);
+            let counts = meshes(StressMesh { options, ..StressMesh::default() })
+                .map(|mesh| mesh.options.fillet_elements);
             assert!(
                 counts[0] == fillet_elements && counts[1] > counts[0] && counts[2] > counts[1],
                 "{counts:?}"

@@ -2,8 +2,9 @@
 
 use crate::pressure::measured::TraceFile;
 use crate::stress::loads::named_loads;
+use crate::stress::mesh::StressMesh;
 use crate::stress::request::{
-    ModesRequest, StaticRequest, StressError, StressLoad, StressMesh, StressStage, support_words,
+    ModesRequest, StaticRequest, StressError, StressLoad, StressStage, support_words,
 };
 use lanchester_flex::Material;
 use lanchester_flex::case::StaticCase;
@@ -28,14 +29,17 @@ pub fn static_stress(
     watch: &dyn Fn(StressStage),
 ) -> Result<StaticStress, StressError> {
     check_crankshaft(engine, request.mesh)?;
-    let (loads, gas) = named_loads(engine, traces, request)?;
+    let (mut loads, gas) = named_loads(engine, traces, request)?;
+    if let Some(name) = &request.name {
+        loads.iter_mut().for_each(|load| load.name = format!("{name}: {}", load.name));
+    }
     let sheet = sheet(engine, request.mesh, watch)?;
     if sheet.crank.corners.iter().all(|corner| corner.nodes.is_empty()) {
         return Err(StressError::NoFillet { crankshaft: request.mesh.crankshaft + 1 });
     }
     let cases: Vec<CrankLoad> = loads.iter().map(|own| own.load.clone()).collect();
     let estimate = |estimate: &_| watch(StressStage::Factoring(*estimate));
-    let solved = solve_crank_watched(&sheet.crank, request.support, &cases, request.solve, &estimate)?;
+    let solved = solve_crank_watched(&sheet.crank, &request.support, &cases, request.solve, &estimate)?;
     let Some(solve) = solved.first().map(|case| case.solution.report) else {
         return Err(StressError::Missing { what: "load case", number: 1, there: "none".to_owned() });
     };
@@ -58,14 +62,14 @@ pub fn static_stress(
             .to_owned(),
     }];
     notes.push(match request.load {
-        StressLoad::Given(_) => {
+        StressLoad::Given { .. } => {
             "Forces as given; the centrifugal field of the crankshaft acts where a speed is given.".to_owned()
         }
         _ => "Forces of gas and of the inertia of pistons and rods from the closed form at constant speed, sought in steps of 1 deg; the \
               crankshaft's own centrifugal field acts."
             .to_owned(),
     });
-    if request.support == CrankSupport::Free && !matches!(request.load, StressLoad::Given(_)) {
+    if request.support == CrankSupport::Free && !matches!(request.load, StressLoad::Given { .. }) {
         notes.push(
             "Without supports the bearings carry nothing: the loads accelerate the crankshaft as a whole."
                 .to_owned(),
@@ -74,7 +78,7 @@ pub fn static_stress(
     Ok(StaticStress {
         version: STATIC_STRESS_VERSION,
         sheet,
-        support: support_words(request.support),
+        support: support_words(&request.support),
         gas,
         solve,
         cases: cases.collect(),
@@ -94,15 +98,15 @@ pub fn crank_modes(
 ) -> Result<CrankModes, StressError> {
     check_crankshaft(engine, request.mesh)?;
     let sheet = sheet(engine, request.mesh, watch)?;
-    let (case, rigid) = match request.support {
+    let (case, rigid) = match &request.support {
         CrankSupport::Free => (StaticCase::default(), 6),
-        support => (crank_support(&sheet.crank, &BearingSurfaces::new(&sheet.crank), support)?, 0),
+        support => (crank_support(&sheet.crank, &BearingSurfaces::new(&sheet.crank), support, 0.0)?, 0),
     };
     let estimate = |estimate: &_| watch(StressStage::Factoring(*estimate));
     let mut modes = modes_watched(&sheet.crank.mesh, &case, request.count + rigid, request.solve, &estimate)?;
     // Rigid motions are told in a sentence, not in rows.
     modes.modes.retain(|mode| mode.kind != ModeKind::Rigid);
-    let support = match request.support {
+    let support = match &request.support {
         CrankSupport::Free => "none; its six rigid motions are left out".to_owned(),
         support => support_words(support),
     };
@@ -141,6 +145,7 @@ pub(crate) fn sheet(
             yield_strength: given.and_then(|own| own.yield_strength()),
         },
         options: mesh.options,
+        origins: mesh.origins,
         crank,
     })
 }

@@ -17,12 +17,51 @@ pub struct CrankSheet {
     pub material: StressMaterial,
     /// How fine it is meshed.
     pub options: CrankMeshOptions,
+    /// Who says so.
+    pub origins: MeshOrigins,
     /// The mesh: its quality, its corners, what is not meshed; the nodes themselves are not serialised.
     pub crank: CrankMesh,
     /// Mass of the exact body without fillets, nose and flange [kg].
     pub exact_mass: f64,
     /// Volume that fillets add, by Pappus's rule, times the density [kg].
     pub fillet_mass: f64,
+}
+
+/// Who says how fine a mesh is; a study of convergence refines it on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, schemars::JsonSchema)]
+pub struct MeshOrigins {
+    /// Of the size of the elements.
+    pub size: MeshOrigin,
+    /// Of the elements across a fillet.
+    pub fillet_elements: MeshOrigin,
+}
+
+/// Who says a number of a mesh.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, schemars::JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum MeshOrigin {
+    /// Nobody: the usual number.
+    #[default]
+    Usual,
+    /// The engine file.
+    File,
+    /// The request; the file says nothing.
+    Asked,
+    /// The request, before the engine file, which says something else.
+    AskedBeforeFile,
+}
+
+impl MeshOrigin {
+    /// In words, where the engine file has a say.
+    fn words(self) -> Option<&'static str> {
+        match self {
+            MeshOrigin::Usual | MeshOrigin::Asked => None,
+            MeshOrigin::File => Some("as [crank.mesh] of the engine file says"),
+            MeshOrigin::AskedBeforeFile => {
+                Some("as asked for, before that of [crank.mesh] in the engine file")
+            }
+        }
+    }
 }
 
 /// Elastic constants with their origin, and the yield strength where the file gives one.
@@ -56,6 +95,15 @@ impl CrankSheet {
             quality.least_jacobian,
             quality.least_angle.to_degrees(),
         )];
+        let origins = [
+            ("size of the elements", self.origins.size.words()),
+            ("elements across a fillet", self.origins.fillet_elements.words()),
+        ];
+        let told: Vec<String> =
+            origins.iter().filter_map(|(what, origin)| Some(format!("{what} {}", (*origin)?))).collect();
+        if !told.is_empty() {
+            words.push(format!("Fineness of the mesh: {}.", told.join("; ")));
+        }
         let exact = self.exact_mass + self.fillet_mass;
         words.push(format!(
             "Mass of the mesh {} kg; of the exact body {} kg, of which fillets {} kg (difference {:.1e}).",
