@@ -9,7 +9,7 @@ use crate::files::{Source, print, tell, write_result};
 use crate::format::Format;
 use crate::program::PROGRAM;
 use crate::requests::loads::{internal_request, load_request};
-use crate::trace_files::trace_files;
+use crate::trace_files::{read_mesh, trace_files};
 use lanchester::file::EngineFile;
 use lanchester::flex::crank_mesh::CrankMeshOptions;
 use lanchester::mechanism::{LoadRequest, Loads, internal_cases, loads};
@@ -98,9 +98,10 @@ fn stress_sections(arguments: &ReportArguments, file: &EngineFile) -> Result<Vec
         arguments.stress_size.as_deref().map(|text| option::length(text, "--stress-size")).transpose()?;
     let task = file.tasks.stress.as_ref();
     let mesh = StressMesh::of(task, 0, size, arguments.stress_fillet_elements, usual);
+    let mesh = read_mesh(mesh, &arguments.file)?;
     let engine = &file.engine;
     let traces = trace_files(engine, &arguments.file)?;
-    let request = StaticRequest { mesh, ..StaticRequest::default() };
+    let request = StaticRequest { mesh: mesh.clone(), ..StaticRequest::default() };
     let stress = static_stress(engine, &traces, &request, &say).map_err(Failure::refused)?;
     // Frequencies do not need the fillets of stresses.
     let options = CrankMeshOptions { fillet_elements: 2, ..mesh.options };

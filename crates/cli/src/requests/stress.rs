@@ -6,6 +6,7 @@ use crate::options::stress::{
     SupportArguments, SupportOption,
 };
 use crate::requests::value_list::value_list;
+use crate::trace_files::read_mesh;
 use lanchester::file::EngineFile;
 use lanchester::flex::crank_case::CrankSupport;
 use lanchester::flex::crank_mesh::CrankMeshOptions;
@@ -26,7 +27,8 @@ pub fn mesh(own: &MeshArguments, file: &EngineFile, usual: usize) -> Result<Stre
     let size = own.size.as_deref().map(|text| option::length(text, "--size")).transpose()?;
     let crankshaft = crankshaft(own.crankshaft)?;
     let usual = CrankMeshOptions { fillet_elements: usual, ..CrankMeshOptions::default() };
-    Ok(StressMesh::of(file.tasks.stress.as_ref(), crankshaft, size, own.fillet_elements, usual))
+    let mesh = StressMesh::of(file.tasks.stress.as_ref(), crankshaft, size, own.fillet_elements, usual);
+    read_mesh(mesh, &own.file)
 }
 
 /// Index of a crankshaft.

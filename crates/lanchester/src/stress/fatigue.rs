@@ -79,7 +79,7 @@ pub fn crank_fatigue(
     request: &FatigueRequest,
     watch: &dyn Fn(StressStage),
 ) -> Result<CrankFatigue, StressError> {
-    check_crankshaft(engine, request.mesh)?;
+    check_crankshaft(engine, &request.mesh)?;
     if request.support.depends_on_angle() {
         return Err(StressError::AngledSprings);
     }
@@ -95,7 +95,7 @@ pub fn crank_fatigue(
         speeds = vec![engine.speed.lowest, engine.speed.highest];
         speeds.dedup();
     }
-    let sheet = sheet(engine, request.mesh, watch)?;
+    let sheet = sheet(engine, &request.mesh, watch)?;
     if sheet.crank.corners.iter().all(|corner| corner.nodes.is_empty()) {
         return Err(StressError::NoFillet { crankshaft: crankshaft + 1 });
     }

@@ -49,7 +49,11 @@ impl StaticRequest {
         };
         StaticRequest {
             name: Some(case.name.clone()),
-            mesh: StressMesh { crankshaft: case.crankshaft, ..mesh },
+            mesh: StressMesh {
+                crankshaft: case.crankshaft,
+                own: mesh.own.filter(|_| case.crankshaft == 0),
+                ..mesh
+            },
             support,
             load,
             speeds: case.speed.into_iter().collect(),

@@ -3,9 +3,10 @@
 use lanchester_flex::crank_mesh::CrankMeshOptions;
 use lanchester_report::{MeshOrigin, MeshOrigins};
 use lanchester_task::StressTask;
+use std::sync::Arc;
 
 /// Which crankshaft, how fine.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct StressMesh {
     /// Index of the crankshaft.
     pub crankshaft: usize,
@@ -13,10 +14,22 @@ pub struct StressMesh {
     pub options: CrankMeshOptions,
     /// Who says so.
     pub origins: MeshOrigins,
+    /// A mesh from elsewhere instead.
+    pub own: Option<MeshFile>,
+}
+
+/// A file with the mesh of a crankshaft: a CalculiX deck.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MeshFile {
+    /// Its name in the engine file.
+    pub name: String,
+    /// What it holds; none until somebody has read it.
+    pub text: Option<Arc<str>>,
 }
 
 impl StressMesh {
-    /// What is asked for goes first, then what the engine file says, then what is usual.
+    /// What is asked for goes first, then what the engine file says, then what is usual. Where the file names a mesh of its own and nothing is asked for,
+    /// that mesh counts: its text is still to be read.
     pub fn of(
         file: Option<&StressTask>,
         crankshaft: usize,
@@ -25,20 +38,26 @@ impl StressMesh {
         usual: CrankMeshOptions,
     ) -> StressMesh {
         let in_file = file.map(|task| (task.mesh.size, task.mesh.fillet_elements)).unwrap_or_default();
-        let (size, size_origin) = chosen(size, in_file.0, usual.size);
-        let (fillet_elements, fillet_origin) = chosen(fillet_elements, in_file.1, usual.fillet_elements);
+        let named = file.and_then(|task| task.mesh.file.as_ref()).filter(|_| crankshaft == 0);
+        let is_asked = size.is_some() || fillet_elements.is_some();
+        let own = named.filter(|_| !is_asked).map(|name| MeshFile { name: name.clone(), text: None });
+        let (size, size_origin) = chosen(size, in_file.0, usual.size, named.is_some());
+        let (fillet_elements, fillet_origin) =
+            chosen(fillet_elements, in_file.1, usual.fillet_elements, named.is_some());
         StressMesh {
             crankshaft,
             options: CrankMeshOptions { size, fillet_elements, ..usual },
             origins: MeshOrigins { size: size_origin, fillet_elements: fillet_origin },
+            own,
         }
     }
 }
 
-fn chosen<T>(asked: Option<T>, in_file: Option<T>, usual: T) -> (T, MeshOrigin) {
+/// `has_mesh`: whether the file names a mesh of its own.
+fn chosen<T>(asked: Option<T>, in_file: Option<T>, usual: T, has_mesh: bool) -> (T, MeshOrigin) {
     match (asked, in_file) {
-        (Some(asked), None) => (asked, MeshOrigin::Asked),
-        (Some(asked), Some(_)) => (asked, MeshOrigin::AskedBeforeFile),
+        (Some(asked), None) if !has_mesh => (asked, MeshOrigin::Asked),
+        (Some(asked), _) => (asked, MeshOrigin::AskedBeforeFile),
         (None, Some(in_file)) => (in_file, MeshOrigin::File),
         (None, None) => (usual, MeshOrigin::Usual),
     }
@@ -68,5 +87,18 @@ mod tests {
         );
         let usual = CrankMeshOptions { fillet_elements: 2, ..CrankMeshOptions::default() };
         assert_eq!(StressMesh::of(None, 0, None, None, usual).options, usual);
+    }
+
+    #[test]
+    fn a_mesh_of_the_file_counts_where_no_other_is_asked_for() {
+        let mesh = MeshTask { file: Some("crank.inp".to_owned()), ..MeshTask::default() };
+        let task = StressTask { mesh, cases: Vec::new() };
+        let of = |crankshaft, size| {
+            StressMesh::of(Some(&task), crankshaft, size, None, CrankMeshOptions::default())
+        };
+        assert_eq!(of(0, None).own.map(|own| own.name).as_deref(), Some("crank.inp"));
+        assert_eq!(of(1, None).own, None);
+        let asked = of(0, Some(0.01));
+        assert_eq!((asked.own, asked.origins.size), (None, MeshOrigin::AskedBeforeFile));
     }
 }

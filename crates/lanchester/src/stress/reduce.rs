@@ -13,7 +13,7 @@ use lanchester_report::{REDUCED_VERSION, ReducedCrank};
 /// As [`crate::static_stress`].
 pub fn reduced_crank(
     engine: &Engine,
-    mesh: StressMesh,
+    mesh: &StressMesh,
     options: ReductionOptions,
     watch: &dyn Fn(StressStage),
 ) -> Result<ReducedCrank, StressError> {

@@ -172,6 +172,30 @@ pub enum StressError {
         /// What fixes it.
         hint: String,
     },
+    /// A mesh from elsewhere that cannot be used.
+    #[error("{name}: {error}")]
+    MeshFile {
+        /// Its name in the engine file.
+        name: String,
+        /// Why.
+        error: FlexError,
+    },
+    /// A mesh from elsewhere that nobody has read.
+    #[error(
+        "the mesh {name} of [crank.mesh] has not been read\nhint: give a size of the elements, which meshes [crank.body] instead, or leave `file` out of [crank.mesh]"
+    )]
+    MeshNotRead {
+        /// Its name in the engine file.
+        name: String,
+    },
+    /// A study that needs several meshes.
+    #[error(
+        "a study of convergence needs meshes of three sizes, and {name} of [crank.mesh] is one\nhint: give a size of the elements, which meshes [crank.body] instead"
+    )]
+    OneMesh {
+        /// Its name in the engine file.
+        name: String,
+    },
     /// A static case that the engine file does not have.
     #[error("no static case of the engine file is called \"{name}\"\nhint: {}", known_cases(.known))]
     NoCase {

@@ -2,7 +2,8 @@
 
 use crate::pressure::measured::TraceFile;
 use crate::stress::loads::named_loads;
-use crate::stress::mesh::StressMesh;
+use crate::stress::mesh::{MeshFile, StressMesh};
+use crate::stress::own_mesh::own_mesh_plan;
 use crate::stress::request::{
     ModesRequest, StaticRequest, StressError, StressLoad, StressStage, support_words,
 };
@@ -12,6 +13,7 @@ use lanchester_flex::crank_case::{BearingSurfaces, CrankLoad, CrankSupport, cran
 use lanchester_flex::crank_mesh::crank_mesh;
 use lanchester_flex::crank_solve::solve_crank_watched;
 use lanchester_flex::modes::{ModeKind, modes_watched};
+use lanchester_flex::own_mesh::own_mesh;
 use lanchester_model::{CrankElement, CrankElementForm, Engine, Origin};
 use lanchester_report::{
     CrankModes, CrankSheet, MODES_VERSION, STATIC_STRESS_VERSION, StaticStress, StressCase, StressMaterial,
@@ -28,12 +30,12 @@ pub fn static_stress(
     request: &StaticRequest,
     watch: &dyn Fn(StressStage),
 ) -> Result<StaticStress, StressError> {
-    check_crankshaft(engine, request.mesh)?;
+    check_crankshaft(engine, &request.mesh)?;
     let (mut loads, gas) = named_loads(engine, traces, request)?;
     if let Some(name) = &request.name {
         loads.iter_mut().for_each(|load| load.name = format!("{name}: {}", load.name));
     }
-    let sheet = sheet(engine, request.mesh, watch)?;
+    let sheet = sheet(engine, &request.mesh, watch)?;
     if sheet.crank.corners.iter().all(|corner| corner.nodes.is_empty()) {
         return Err(StressError::NoFillet { crankshaft: request.mesh.crankshaft + 1 });
     }
@@ -96,8 +98,8 @@ pub fn crank_modes(
     request: &ModesRequest,
     watch: &dyn Fn(StressStage),
 ) -> Result<CrankModes, StressError> {
-    check_crankshaft(engine, request.mesh)?;
-    let sheet = sheet(engine, request.mesh, watch)?;
+    check_crankshaft(engine, &request.mesh)?;
+    let sheet = sheet(engine, &request.mesh, watch)?;
     let (case, rigid) = match &request.support {
         CrankSupport::Free => (StaticCase::default(), 6),
         support => (crank_support(&sheet.crank, &BearingSurfaces::new(&sheet.crank), support, 0.0)?, 0),
@@ -114,7 +116,7 @@ pub fn crank_modes(
 }
 
 /// Refuses a crankshaft that is not there.
-pub(crate) fn check_crankshaft(engine: &Engine, mesh: StressMesh) -> Result<(), StressError> {
+pub(crate) fn check_crankshaft(engine: &Engine, mesh: &StressMesh) -> Result<(), StressError> {
     let count = engine.crankshafts.len();
     if mesh.crankshaft < count {
         return Ok(());
@@ -126,10 +128,15 @@ pub(crate) fn check_crankshaft(engine: &Engine, mesh: StressMesh) -> Result<(), 
 /// The mesh with what there is to say of it.
 pub(crate) fn sheet(
     engine: &Engine,
-    mesh: StressMesh,
+    mesh: &StressMesh,
     watch: &dyn Fn(StressStage),
 ) -> Result<CrankSheet, StressError> {
-    let crank = crank_mesh(engine, mesh.crankshaft, mesh.options)?;
+    let crank = match &mesh.own {
+        None => crank_mesh(engine, mesh.crankshaft, mesh.options)?,
+        Some(MeshFile { name, text: None }) => return Err(StressError::MeshNotRead { name: name.clone() }),
+        Some(MeshFile { name, text: Some(text) }) => own_mesh(text, &own_mesh_plan(engine, mesh.crankshaft))
+            .map_err(|error| StressError::MeshFile { name: name.clone(), error })?,
+    };
     watch(StressStage::Meshed(crank.mesh.nodes.len(), crank.mesh.elements.len()));
     let elastic = crank.mesh.materials.first().cloned().unwrap_or_else(Material::steel);
     let given = engine.crank_material.as_ref();
@@ -138,12 +145,17 @@ pub(crate) fn sheet(
         engine: engine.name.clone(),
         crankshaft: mesh.crankshaft + 1,
         fillet_mass: elastic.density * crank.corners.iter().map(|corner| corner.volume()).sum::<f64>(),
-        exact_mass: crank.body_mass - end_mass(engine, mesh.crankshaft),
+        // Nose and flange are in a mesh from elsewhere, as in its body.
+        exact_mass: match mesh.own {
+            None => crank.body_mass - end_mass(engine, mesh.crankshaft),
+            Some(_) => crank.body_mass,
+        },
         material: StressMaterial {
             elastic,
             origin: modulus.map_or(Origin::Assumed, |modulus| modulus.origin),
             yield_strength: given.and_then(|own| own.yield_strength()),
         },
+        own_file: mesh.own.as_ref().map(|own| own.name.clone()),
         options: mesh.options,
         origins: mesh.origins,
         crank,

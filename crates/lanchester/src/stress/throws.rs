@@ -15,7 +15,7 @@ use lanchester_model::{CrankElementForm, Engine};
 /// As [`crate::static_stress`].
 pub fn throw_stiffnesses(
     engine: &Engine,
-    mesh: StressMesh,
+    mesh: &StressMesh,
     options: SolveOptions,
     watch: &dyn Fn(StressStage),
 ) -> Result<Vec<ThrowTwist>, StressError> {

@@ -106,15 +106,10 @@ impl AskedMesh {
     }
 
     /// `usual`: elements across a fillet where nobody says how many.
-    fn of(self, own: &Prepared, usual: usize) -> StressMesh {
+    fn of(self, own: &Prepared, usual: usize) -> Result<StressMesh, Failure> {
         let usual = CrankMeshOptions { fillet_elements: usual, ..CrankMeshOptions::default() };
-        StressMesh::of(
-            own.file.tasks.stress.as_ref(),
-            self.crankshaft,
-            self.size,
-            self.fillet_elements,
-            usual,
-        )
+        let task = own.file.tasks.stress.as_ref();
+        own.mesh(StressMesh::of(task, self.crankshaft, self.size, self.fillet_elements, usual))
     }
 }
 
@@ -160,7 +155,7 @@ fn read_static(options: &Options<'_>) -> Result<Run, Failure> {
     };
     Ok(Box::new(move |engines, _| {
         let own = &engines[0];
-        let request = StaticRequest { mesh: mesh.of(own, 6), ..request.clone() };
+        let request = StaticRequest { mesh: mesh.of(own, 6)?, ..request.clone() };
         let traces = if request.gas { own.traces()? } else { &[] };
         let found = static_stress(own.engine(), traces, &request, &|_| ()).map_err(Failure::refused)?;
         Ok(Data::new(found, own, Shown { text: |found, _| static_stress_text(found), ..Shown::default() }))
@@ -177,7 +172,7 @@ fn read_modes(options: &Options<'_>) -> Result<Run, Failure> {
     };
     Ok(Box::new(move |engines, _| {
         let own = &engines[0];
-        let request = ModesRequest { mesh: mesh.of(own, 2), ..request.clone() };
+        let request = ModesRequest { mesh: mesh.of(own, 2)?, ..request.clone() };
         let found = crank_modes(own.engine(), &request, &|_| ()).map_err(Failure::refused)?;
         Ok(Data::new(found, own, Shown { text: |found, _| modes_text(found), ..Shown::default() }))
     }))
@@ -207,7 +202,7 @@ fn read_fatigue(options: &Options<'_>) -> Result<Run, Failure> {
     };
     Ok(Box::new(move |engines, _| {
         let own = &engines[0];
-        let request = FatigueRequest { mesh: mesh.of(own, 6), ..request.clone() };
+        let request = FatigueRequest { mesh: mesh.of(own, 6)?, ..request.clone() };
         let traces = if request.gas { own.traces()? } else { &[] };
         let found = crank_fatigue(own.engine(), traces, &request, &|_| ()).map_err(Failure::refused)?;
         Ok(Data::new(found, own, Shown { text: |found, _| fatigue_text(found), ..Shown::default() }))

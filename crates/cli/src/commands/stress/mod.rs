@@ -173,7 +173,7 @@ fn reduce(arguments: &ReduceArguments, colour: bool) -> Result<u8, Failure> {
     }
     let options = ReductionOptions { modes: arguments.modes as usize, memory: memory(&own.memory)? };
     let opened = open(&own.file, colour)?;
-    let found = reduced_crank(&opened.file.engine, mesh(own, &opened.file, 2)?, options, &say).map_err(Failure::refused)?;
+    let found = reduced_crank(&opened.file.engine, &mesh(own, &opened.file, 2)?, options, &say).map_err(Failure::refused)?;
     if let Some(path) = &arguments.output {
         write_result(path, &own.file, &found.model.to_npz())?;
         tell(format_args!("{} written", lanchester_files::shown(path)));

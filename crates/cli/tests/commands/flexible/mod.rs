@@ -222,8 +222,8 @@ fn static_cases_of_the_file_are_solved_by_name() {
     // A deck of the case has its support.
     output(&folder, 0, &["stress", "export", "engine.toml", "--case", "unit radial", "--output", "case.inp"]);
     let solved = output_json(&folder, 0, &["stress", "solve", "case.inp", "--format", "json"]);
-    let ratio = number(&solved, "/steps/0/energy")
-        / number(&json(&["--case", "unit radial"]), "/cases/0/energy");
+    let ratio =
+        number(&solved, "/steps/0/energy") / number(&json(&["--case", "unit radial"]), "/cases/0/energy");
     assert!((ratio - 1.0).abs() < 1e-6, "{ratio}");
     // The file as the program shows it has them.
     let shown = output(&folder, 0, &["show", "engine.toml"]);
@@ -238,6 +238,54 @@ fn static_cases_of_the_file_are_solved_by_name() {
     let bare = engine("stress-no-case", str::to_owned);
     let said = message(&bare, 2, &words(&["static", "--case", "unit radial"]));
     assert!(said.contains("the file has none") && said.contains("[[stress.case]]"), "{said}");
+}
+
+#[test]
+fn a_mesh_of_its_own_takes_the_place_of_the_body() {
+    let folder = engine("stress-own-mesh", |text| {
+        text.replace(
+            "[piston]",
+            &format!(
+                "{}[piston]",
+                CASES.replace("size = \"20 mm\"\nfillet_elements = 2", "file = \"crank.inp\"")
+            ),
+        )
+    });
+    let case = ["stress", "static", "engine.toml", "--case", "unit radial"];
+    let missing = message(&folder, 2, &case);
+    assert!(missing.contains("crank.inp") && missing.contains("[crank.mesh] names it"), "{missing}");
+    // The program's own mesh stands for one from elsewhere: a size that is asked for meshes the body.
+    let mesh =
+        [&["stress", "export", "engine.toml"][..], &COARSE, &["--modes", "1", "--output", "crank.inp"]]
+            .concat();
+    output(&folder, 0, &mesh);
+    let own = output_json(&folder, 0, &[&case[..], &["--format", "json"]].concat());
+    let body = output_json(&folder, 0, &[&case[..], &COARSE, &["--format", "json"]].concat());
+    let ratio = number(&own, "/cases/0/energy") / number(&body, "/cases/0/energy");
+    assert!((ratio - 1.0).abs() < 1e-8, "{ratio}");
+    assert_eq!(own["sheet"]["own_file"], "crank.inp");
+    assert!(body["sheet"]["own_file"].is_null());
+    assert_eq!(body["sheet"]["origins"]["size"], "asked-before-file");
+    let text = output(&folder, 0, &case).replace('\n', " ");
+    for part in [
+        "from crank.inp",
+        "of [crank.body] with nose and flange",
+        "Largest stress",
+        "surface outside of the sets",
+    ] {
+        assert!(text.contains(part), "{part}: {text}");
+    }
+    let modes = output_json(&folder, 0, &["stress", "modes", "engine.toml", "-n", "2", "--format", "json"]);
+    assert!(number(&modes, "/modes/modes/0/frequency") > 100.0);
+    let converge = message(&folder, 2, &[&case[..], &["--converge"]].concat());
+    assert!(converge.contains("meshes of three sizes") && converge.contains("hint:"), "{converge}");
+    let text = fs::read_to_string(folder.join("crank.inp")).unwrap();
+    fs::write(folder.join("crank.inp"), text.replace("NSET=PIN_1", "NSET=PIN")).unwrap();
+    let said = message(&folder, 2, &case);
+    assert!(said.contains("crank.inp: the mesh does not fit the engine: the set PIN_1 is missing"), "{said}");
+    fs::write(folder.join("crank.inp"), text.replace("*STEP", "*STEP\n*DYNAMIC")).unwrap();
+    let said = message(&folder, 2, &case);
+    assert!(said.contains("crank.inp: line ") && said.contains("unknown card *DYNAMIC"), "{said}");
 }
 
 #[test]
