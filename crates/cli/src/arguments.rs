@@ -387,12 +387,12 @@ pub struct ReportArguments {
     /// Also solve the crankshaft as an elastic body, which takes a while, and add chapters on its stress and its natural modes, with pictures.
     #[arg(long, conflicts_with = "all_arrangements")]
     pub stress: bool,
-    /// With --stress: size of the elements away from fillets, with its unit.
-    #[arg(long, value_name = "LENGTH", default_value = "14 mm", requires = "stress")]
-    pub stress_size: String,
-    /// With --stress: elements across the 90 deg of a fillet, an even number.
-    #[arg(long, value_name = "N", default_value_t = 4, requires = "stress")]
-    pub stress_fillet_elements: usize,
+    /// With --stress: size of the elements away from fillets, with its unit; default that of [crank.mesh], else 14 mm.
+    #[arg(long, value_name = "LENGTH", requires = "stress")]
+    pub stress_size: Option<String>,
+    /// With --stress: elements across the 90 deg of a fillet, an even number; default that of [crank.mesh], else 4.
+    #[arg(long, value_name = "N", requires = "stress")]
+    pub stress_fillet_elements: Option<usize>,
     /// The page to write, `-` for standard output; default: the engine file's name with `.html` (or
     /// `-arrangements.html`), in this folder. A name that ends in `.txt` gets the same words and tables as plain text, one
     /// that ends in `.csv` all tables, each under a line with its name.

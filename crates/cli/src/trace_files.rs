@@ -1,10 +1,10 @@
-//! The files of pressure and of torque that an engine file names: read from its folder.
+//! The files of pressure, of torque and of a mesh that an engine file names: read from its folder.
 
 use crate::failure::Failure;
 use crate::files::read_bytes;
 use lanchester::file::EngineFile;
 use lanchester::model::Engine;
-use lanchester::{TraceFile, give_torques, torque_file_names, trace_names};
+use lanchester::{MeshFile, StressMesh, TraceFile, give_torques, torque_file_names, trace_names};
 use std::path::Path;
 
 /// The files of pressure that the engine asks for, from the folder of its own file (standard input: from the working folder).
@@ -20,6 +20,15 @@ pub fn read_torques(file: &mut EngineFile, engine_file: &Path) -> Result<(), Fai
     give_torques(file, &files).map_err(Failure::refused)
 }
 
+/// Reads the mesh of a crankshaft that the engine file names, from its own folder.
+pub fn read_mesh(mesh: StressMesh, engine_file: &Path) -> Result<StressMesh, Failure> {
+    let Some(own) = &mesh.own else { return Ok(mesh) };
+    let hint = "[crank.mesh] names it: give its place from the folder of the engine file";
+    let text =
+        read_beside(vec![&own.name], engine_file, hint)?.into_iter().next().map(|file| file.text.into());
+    Ok(StressMesh { own: Some(MeshFile { name: own.name.clone(), text }), ..mesh })
+}
+
 fn read_beside(names: Vec<&str>, engine_file: &Path, hint: &str) -> Result<Vec<TraceFile>, Failure> {
     let folder = engine_file.parent().unwrap_or(Path::new(""));
     names
@@ -29,7 +38,7 @@ fn read_beside(names: Vec<&str>, engine_file: &Path, hint: &str) -> Result<Vec<T
             let text = String::from_utf8(bytes).map_err(|error| {
                 Failure::input(
                     format_args!("{name} is not UTF-8 text (byte {})", error.utf8_error().valid_up_to()),
-                    "save it as CSV in UTF-8",
+                    "save it as text in UTF-8",
                 )
             })?;
             Ok(TraceFile { name: name.to_string(), text })

@@ -9,6 +9,7 @@ mod part;
 mod running;
 mod shaft_part;
 mod simulation;
+mod stress;
 mod text;
 mod torsion;
 
@@ -52,6 +53,7 @@ pub fn expanded(file: &EngineFile) -> String {
     text.crankshafts(engine);
     text.crank_body(engine);
     text.crank_material(engine);
+    text.crank_mesh(tasks);
     let weighed = weighed(engine);
     for (index, throw) in engine.throws.iter().enumerate() {
         text.throw(index, throw, weighed[index]);
@@ -70,6 +72,7 @@ pub fn expanded(file: &EngineFile) -> String {
     text.bearings(engine);
     text.simulation(tasks);
     text.torsion(engine);
+    text.stress_cases(tasks);
     text.tolerances(tasks);
     text.balance(tasks, engine);
     text.text

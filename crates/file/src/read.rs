@@ -115,6 +115,7 @@ impl<'a> Reader<'a> {
         let bearing_design = self.bearing_design();
         let simulation = self.simulation(drafts.as_ref().map(|drafts| drafts.cylinders.len()));
         let torsion = self.torsion(count);
+        let stress = self.stress_task(drafts.as_ref(), crankshafts.as_ref().map(Vec::len));
         let tolerances = self.tolerances();
         let balance = self.balance_draft(count, crankshafts.as_ref().map(Vec::len), mounts.as_deref());
         self.check_shares();
@@ -218,12 +219,15 @@ impl<'a> Reader<'a> {
         let tolerances = tolerances?;
         self.check_tolerances(&tolerances, &engine);
         let balance = self.balance_task(balance?, &engine, origin)?;
+        let stress = stress?;
+        self.check_stress(stress.as_ref(), &engine);
         let tasks = Tasks {
             shape_task: shape_task?,
             simulation: simulation?.map(Box::new),
             tolerances,
             shaft_weight_task: shaft_weight_task?,
             balance,
+            stress,
         };
         Some((EngineFile { engine, tasks }, origin))
     }

@@ -14,17 +14,18 @@ use serde::Serialize;
 use std::collections::{BTreeMap, HashSet};
 
 /// What holds a crankshaft.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case", tag = "kind")]
 pub enum CrankSupport {
     /// Both end faces.
     ClampedEnds,
     /// The mean of each journal's surface in x and y by rigid springs in effect, axial motion at the flywheel, turning there.
     Journals,
-    /// As `Journals`, with springs of this stiffness per journal and direction [N/m].
+    /// As `Journals`, with springs.
     Springs {
-        /// Stiffness [N/m].
-        stiffness: f64,
+        /// Stiffness of each journal along x and y of the block, from the free end on [N/m]; one entry alone holds for all journals. A direction
+        /// of stiffness 0 is not held.
+        stiffness: Vec<[f64; 2]>,
     },
     /// A ring around each journal and each loaded pin, which touches it without friction and lets go where it would have to pull. Those of the
     /// journals are fixed at their outside; those of the pins take the load there. Turning and axial motion as with `Journals`.
@@ -39,9 +40,19 @@ pub enum CrankSupport {
 }
 
 impl CrankSupport {
-    /// Whether it holds the same way whatever the load, so that solutions can be added up.
-    pub fn is_linear(self) -> bool {
+    /// Springs of one stiffness [N/m] at all journals in both directions.
+    pub fn even_springs(stiffness: f64) -> CrankSupport {
+        CrankSupport::Springs { stiffness: vec![[stiffness; 2]] }
+    }
+
+    /// Whether it holds the same way whatever the load, so that solutions at one crank angle can be added up.
+    pub fn is_linear(&self) -> bool {
         !matches!(self, CrankSupport::Rings { .. })
+    }
+
+    /// Whether it holds a turning crankshaft differently at every crank angle: springs whose two directions differ.
+    pub fn depends_on_angle(&self) -> bool {
+        matches!(self, CrankSupport::Springs { stiffness } if stiffness.iter().any(|[x, y]| x != y))
     }
 }
 
@@ -105,18 +116,25 @@ pub struct CrankCase {
 /// times it is the least residual that a solution can have.
 const RIGID: f64 = 1e12;
 
-/// The supports of a crankshaft as a case without loads.
+/// The supports of a crankshaft as a case without loads. `turn`: angle by which the crankshaft has turned against the block [rad], as in [`CrankLoad`].
+///
+/// ```text
+/// e_x = (cos turn, -sin turn),  e_y = (sin turn, cos turn)      directions of the block in the frame of the crankshaft          (book, eq. 43.17)
+/// ```
 ///
 /// # Errors
-/// [`FlexError::Missing`] where the mesh lacks a set; [`FlexError::Number`] for a stiffness that is none; [`FlexError::Nonlinear`] for rings.
+/// [`FlexError::Missing`] where the mesh lacks a set; [`FlexError::Number`] for a stiffness that is none, or as many as there are not journals;
+/// [`FlexError::Nonlinear`] for rings.
 pub fn crank_support(
     crank: &CrankMesh,
     surfaces: &BearingSurfaces,
-    support: CrankSupport,
+    support: &CrankSupport,
+    turn: f64,
 ) -> Result<StaticCase, FlexError> {
     let mesh = &crank.mesh;
     let case = StaticCase::default();
-    let stiffness = match support {
+    let journals: Vec<_> = (1..).map_while(|number| surfaces.areas(&format!("MAIN_{number}")).ok()).collect();
+    let (name, stiffness) = match support {
         CrankSupport::ClampedEnds => {
             let ends = [mesh.set("FREE_END")?, mesh.set("FLYWHEEL")?].map(|set| set.nodes.clone()).concat();
             return Ok(StaticCase { name: "clamped ends".to_owned(), ..case }.clamp(&ends));
@@ -125,25 +143,45 @@ pub fn crank_support(
             return Ok(StaticCase { name: "free".to_owned(), inertia_relief: true, ..case });
         }
         CrankSupport::Rings { .. } => return Err(FlexError::Nonlinear),
-        CrankSupport::Journals => RIGID,
-        CrankSupport::Springs { stiffness } => stiffness,
+        CrankSupport::Journals => ("journals", vec![[RIGID; 2]; journals.len()]),
+        CrankSupport::Springs { stiffness } => ("springs", stiffness_of_each(stiffness, journals.len())?),
     };
-    let mut case = StaticCase { name: "journals".to_owned(), ..case };
-    for number in 1.. {
-        let name = format!("MAIN_{number}");
-        let Ok(areas) = surfaces.areas(&name) else { break };
-        let weights = weights(areas);
-        for (letter, direction) in [("x", [1.0, 0.0, 0.0]), ("y", [0.0, 1.0, 0.0])] {
-            case.springs.push(Spring::on_mean(&format!("{name} {letter}"), stiffness, direction, &weights));
-        }
-    }
-    if case.springs.is_empty() {
+    let mut case = StaticCase { name: name.to_owned(), ..case };
+    if journals.is_empty() {
         let (what, name, hint) =
             ("node set", "MAIN_1".to_owned(), "a crankshaft on journals has at least two of them");
         return Err(FlexError::Missing { what, name, hint });
     }
+    // Even springs hold the same way along all directions: the frame of the crankshaft spares them a rounding.
+    let turn = if support.depends_on_angle() { turn } else { 0.0 };
+    let (sin, cos) = turn.sin_cos();
+    let directions = [("x", [cos, -sin, 0.0]), ("y", [sin, cos, 0.0])];
+    for (index, (areas, stiffness)) in journals.into_iter().zip(stiffness).enumerate() {
+        let weights = weights(areas);
+        for ((letter, direction), stiffness) in directions.into_iter().zip(stiffness) {
+            // A stiffness below zero or without a number is refused with the case.
+            if stiffness != 0.0 {
+                let name = format!("MAIN_{} {letter}", index + 1);
+                case.springs.push(Spring::on_mean(&name, stiffness, direction, &weights));
+            }
+        }
+    }
     hold_flywheel(crank, &mut case, surfaces)?;
     Ok(case)
+}
+
+/// One stiffness for each journal.
+fn stiffness_of_each(given: &[[f64; 2]], journals: usize) -> Result<Vec<[f64; 2]>, FlexError> {
+    match given {
+        [all] => Ok(vec![*all; journals]),
+        each if each.len() == journals => Ok(each.to_vec()),
+        other => Err(FlexError::Number {
+            quantity: "the number of stiffnesses of the springs".to_owned(),
+            needed: format!("1 for all journals, or {journals}, one for each of them from the free end on"),
+            got: other.len() as f64,
+            hint: "a journal of stiffness 0 is not held",
+        }),
+    }
 }
 
 /// Holds the flywheel's end face: no mean motion along z, no mean rotation about z.
@@ -277,6 +315,9 @@ pub struct CrankLoad {
     pub pins: Vec<PinLoad>,
     /// Speed about its axis [rad/s], whose centrifugal field loads the body.
     pub speed: f64,
+    /// Angle from the block's x axis to that of the frame of the crankshaft, positive from x to y [rad]: springs that differ across directions keep
+    /// to the block.
+    pub turn: f64,
 }
 
 /// The static case of each load.
@@ -285,13 +326,17 @@ pub struct CrankLoad {
 /// As [`crank_support`] and [`load_pin`].
 pub fn crank_cases(
     crank: &CrankMesh,
-    support: CrankSupport,
+    support: &CrankSupport,
     loads: &[CrankLoad],
 ) -> Result<Vec<StaticCase>, FlexError> {
     let surfaces = BearingSurfaces::new(crank);
-    let base = crank_support(crank, &surfaces, support)?;
+    let base = crank_support(crank, &surfaces, support, 0.0)?;
     let case = |load: &CrankLoad| {
-        let base = StaticCase { speed: load.speed, ..base.clone() };
+        let own = match support.depends_on_angle() {
+            true => crank_support(crank, &surfaces, support, load.turn)?,
+            false => base.clone(),
+        };
+        let base = StaticCase { speed: load.speed, ..own };
         load.pins.iter().try_fold(base, |case, pin| load_pin(&surfaces, case, *pin))
     };
     loads.iter().map(case).collect()

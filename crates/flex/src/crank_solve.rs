@@ -1,6 +1,7 @@
 //! Static cases of a crankshaft solved, whatever holds it.
 
 use crate::FlexError;
+use crate::case::StaticCase;
 use crate::crank_case::{CrankCase, CrankLoad, CrankSupport, crank_cases, evaluate};
 use crate::crank_mesh::CrankMesh;
 use crate::crank_rings::{RingsOf, solve_on_rings};
@@ -13,7 +14,7 @@ use crate::statics::{SolveOptions, StaticSystem};
 /// As [`crank_cases`] and [`StaticSystem::new`].
 pub fn solve_crank(
     crank: &CrankMesh,
-    support: CrankSupport,
+    support: &CrankSupport,
     loads: &[CrankLoad],
     options: SolveOptions,
 ) -> Result<Vec<CrankCase>, FlexError> {
@@ -26,20 +27,28 @@ pub fn solve_crank(
 /// As [`solve_crank`].
 pub fn solve_crank_watched(
     crank: &CrankMesh,
-    support: CrankSupport,
+    support: &CrankSupport,
     loads: &[CrankLoad],
     options: SolveOptions,
     watch: &dyn Fn(&SolveEstimate),
 ) -> Result<Vec<CrankCase>, FlexError> {
-    if let CrankSupport::Rings { thickness, modulus } = support {
+    if let CrankSupport::Rings { thickness, modulus } = *support {
         return solve_on_rings(crank, RingsOf { thickness, modulus }, loads, options, watch);
     }
     let cases = crank_cases(crank, support, loads)?;
-    // The system needs masses where any case turns.
-    let Some(base) = cases.iter().max_by(|a, b| a.speed.abs().total_cmp(&b.speed.abs())) else {
-        return Ok(Vec::new());
-    };
-    let mut system = StaticSystem::new_watched(&crank.mesh, base, options, watch)?;
-    let solutions = system.solve(&cases.iter().collect::<Vec<_>>())?;
-    Ok(solutions.into_iter().map(|solution| evaluate(crank, solution)).collect())
+    let mut found: Vec<Option<CrankCase>> = loads.iter().map(|_| None).collect();
+    // Loads that the support holds the same way have one factor.
+    while let Some(first) = found.iter().position(Option::is_none) {
+        let is_same = |k: &usize| !support.depends_on_angle() || loads[*k].turn == loads[first].turn;
+        let own: Vec<usize> = (0..loads.len()).filter(is_same).collect();
+        let own_cases: Vec<&StaticCase> = own.iter().map(|k| &cases[*k]).collect();
+        // The system needs masses where any case turns.
+        let turning = own_cases.iter().max_by(|a, b| a.speed.abs().total_cmp(&b.speed.abs()));
+        let Some(base) = turning else { break };
+        let mut system = StaticSystem::new_watched(&crank.mesh, base, options, watch)?;
+        for (place, solution) in own.iter().zip(system.solve(&own_cases)?) {
+            found[*place] = Some(evaluate(crank, solution));
+        }
+    }
+    Ok(found.into_iter().flatten().collect())
 }

@@ -131,8 +131,8 @@ pub fn throw_twists(
         .collect::<Result<_, FlexError>>()?;
     let Some(material) = crank.mesh.materials.first() else { return Ok(Vec::new()) };
     let modulus = material.youngs_modulus / (2.0 * (1.0 + material.poisson_ratio));
-    let stiffness = |support: CrankSupport| -> Result<Vec<f64>, FlexError> {
-        let base = crank_support(crank, &surfaces, support)?;
+    let stiffness = |support: &CrankSupport| -> Result<Vec<f64>, FlexError> {
+        let base = crank_support(crank, &surfaces, support, 0.0)?;
         let cases: Vec<StaticCase> = turnings
             .iter()
             .map(|[front, rear]| rear.push(front.push(base.clone(), -TORQUE), TORQUE))
@@ -148,7 +148,7 @@ pub fn throw_twists(
         };
         Ok(found.iter().zip(&turnings).map(of).collect())
     };
-    let (free, held) = (stiffness(CrankSupport::Free)?, stiffness(CrankSupport::Journals)?);
+    let (free, held) = (stiffness(&CrankSupport::Free)?, stiffness(&CrankSupport::Journals)?);
     let each = spans.iter().zip(free.into_iter().zip(held));
     Ok(each.map(|(span, (free, held))| ThrowTwist { throw: span.throw, free, held }).collect())
 }

@@ -119,6 +119,16 @@ pub enum FlexError {
         /// What is wrong, and what fixes it.
         message: String,
     },
+    /// A mesh from elsewhere that does not fit the engine.
+    #[error(
+        "the mesh does not fit the engine: {}\nhint: the axis of the crankshaft is along z from the free end to the flywheel, throw 1 along x, z counts from the reference plane, lengths are in mm; \
+         node sets PIN_1 and so on, MAIN_1 and so on and FLYWHEEL hold all nodes of the surfaces that they name",
+        .faults.join("; ")
+    )]
+    OwnMesh {
+        /// All that does not fit.
+        faults: Vec<String>,
+    },
     /// A file that is not what it should be.
     #[error("the {what} cannot be read: {message}\nhint: write it anew")]
     File {

@@ -17,6 +17,7 @@ mod error;
 mod material;
 pub mod mesh;
 pub mod modes;
+pub mod own_mesh;
 pub mod picture;
 pub mod reduction;
 pub mod richardson;

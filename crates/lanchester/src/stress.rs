@@ -5,7 +5,10 @@ pub(crate) mod cycle;
 pub(crate) mod deck;
 pub(crate) mod export;
 pub(crate) mod fatigue;
+pub(crate) mod file_case;
 pub(crate) mod loads;
+pub(crate) mod mesh;
+pub(crate) mod own_mesh;
 pub(crate) mod reduce;
 pub(crate) mod request;
 pub(crate) mod rule;
@@ -18,9 +21,11 @@ pub use cycle::{CycleRequest, CycleStage, crank_cycle};
 pub use deck::solve_deck;
 pub use export::{case_deck, case_glb, case_stl, case_vtu, modes_deck, modes_glb, modes_vtu};
 pub use fatigue::{FatigueRequest, crank_fatigue};
+pub use file_case::stress_case;
+pub use mesh::{MeshFile, StressMesh};
 pub use reduce::reduced_crank;
 pub use request::{
-    GivenForce, ModesRequest, StaticRequest, StressError, StressLoad, StressMesh, StressStage, support_words,
+    GivenForce, ModesRequest, StaticRequest, StressError, StressLoad, StressStage, support_words,
 };
 pub use rule::{CrankRuleError, RuleRequest, crank_rule};
 pub use rule_torsion::{RuleTorsionError, crank_rule_with_torsion};

@@ -3,7 +3,7 @@
 use crate::failure::Failure;
 use lanchester::file::{Diagnostic, EngineFile, read, write_back};
 use lanchester::model::Engine;
-use lanchester::{TraceFile, give_torques, torque_file_names, trace_names};
+use lanchester::{MeshFile, StressMesh, TraceFile, give_torques, torque_file_names, trace_names};
 use lanchester_files::{open_regular, shown};
 use std::io::Read;
 use std::path::{Path, PathBuf};
@@ -72,6 +72,18 @@ impl Prepared {
         }
         let traces = beside(trace_names(self.engine()), self.folder.as_deref(), "[gas]")?;
         Ok(self.traces.get_or_init(|| traces))
+    }
+
+    /// A mesh with the text of the file that it names.
+    ///
+    /// # Errors
+    /// Where it cannot be read.
+    pub fn mesh(&self, mesh: StressMesh) -> Result<StressMesh, Failure> {
+        let Some(own) = &mesh.own else { return Ok(mesh) };
+        let text = beside(vec![&own.name], self.folder.as_deref(), "[crank.mesh]")?
+            .pop()
+            .map(|file| file.text.into());
+        Ok(StressMesh { own: Some(MeshFile { name: own.name.clone(), text }), ..mesh })
     }
 
     /// The same file with the weights and shapes of `fitted`, comments and order preserved.

@@ -10,7 +10,7 @@ pub(crate) mod picture;
 pub(crate) mod reduced;
 pub(crate) mod statics;
 
-pub use body::{CrankSheet, StressMaterial};
+pub use body::{CrankSheet, MeshOrigin, MeshOrigins, StressMaterial};
 pub use convergence::{ConvergedNumber, Convergence, ConvergenceMesh};
 pub use cycle::*;
 pub use deck::{DECK_VERSION, SolvedDeck, SolvedStep, StaticStep, deck_csv, deck_text};

@@ -3,6 +3,7 @@
 use crate::balance_task::BalanceTask;
 use crate::shaft_weight_task::ShaftWeightTask;
 use crate::shape_task::ShapeTask;
+use crate::stress_task::StressTask;
 use crate::tolerance::Tolerance;
 use lanchester_model::SimulationInput;
 use serde::Serialize;
@@ -25,4 +26,7 @@ pub struct Tasks {
     /// What may be done to balance it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub balance: Option<BalanceTask>,
+    /// Mesh and static cases of the crankshafts.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub stress: Option<StressTask>,
 }

@@ -65,7 +65,7 @@ impl CycleKey {
 /// Runs an engine.
 pub(crate) fn cycle_of(engine: &Engine, fit: &StressFit) -> Result<CrankCycle, String> {
     let request = CycleRequest {
-        mesh: StressMesh { crankshaft: 0, options: fit.mesh() },
+        mesh: StressMesh { options: fit.mesh(), ..StressMesh::default() },
         basis: BasisOptions { modes: MODES, ..BasisOptions::default() },
         laws: vec![CycleLaw::Film],
         instants: INSTANTS,

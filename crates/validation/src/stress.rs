@@ -90,9 +90,9 @@ impl StressRun {
             return Err("a stress case needs throw 1 at 0 deg".to_string());
         }
         let force = [radial, fit.of("tangential").unwrap_or(0.0)];
-        let load = CrankLoad { pins: vec![PinLoad { pin: 1, force }], speed: 0.0 };
+        let load = CrankLoad { pins: vec![PinLoad { pin: 1, force }], ..CrankLoad::default() };
         let crank = crank_mesh(engine, 0, options).map_err(|error| error.to_string())?;
-        let solved = solve_crank(&crank, support, &[load], SolveOptions::default());
+        let solved = solve_crank(&crank, &support, &[load], SolveOptions::default());
         let solved = solved.map_err(|error| error.to_string())?;
         let result = solved.first().ok_or("the case has no solution")?;
         let largest = |peaks: &[SurfacePeak], is_own: &dyn Fn(&str) -> bool| {

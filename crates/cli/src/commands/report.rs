@@ -9,13 +9,13 @@ use crate::files::{Source, print, tell, write_result};
 use crate::format::Format;
 use crate::program::PROGRAM;
 use crate::requests::loads::{internal_request, load_request};
-use crate::trace_files::trace_files;
+use crate::trace_files::{read_mesh, trace_files};
+use lanchester::file::EngineFile;
 use lanchester::flex::crank_mesh::CrankMeshOptions;
 use lanchester::mechanism::{LoadRequest, Loads, internal_cases, loads};
-use lanchester::model::Engine;
 use lanchester::report::{
-    ArrangementsInput, Provenance, Section, arrangements_report, bending_section, figures, loads_sections,
-    motion_section,
+    ArrangementsInput, MeshOrigin, MeshOrigins, Provenance, Section, arrangements_report, bending_section,
+    figures, loads_sections, motion_section,
 };
 use lanchester::task::option;
 use lanchester::{
@@ -57,7 +57,7 @@ pub fn run(arguments: &ReportArguments, colour: bool) -> Result<u8, Failure> {
         let mut report = EngineReport::new(&opened.file, &request, &internal, traces, &opened.warnings)
             .map_err(refused)?;
         if arguments.stress {
-            report.add(stress_sections(arguments, engine)?);
+            report.add(stress_sections(arguments, &opened.file)?);
         }
         for warning in &report.warnings[report.told..] {
             tell(format_args!("warning: {warning}"));
@@ -92,17 +92,21 @@ pub fn run(arguments: &ReportArguments, colour: bool) -> Result<u8, Failure> {
 }
 
 /// Chapters on the crankshaft as an elastic body.
-fn stress_sections(arguments: &ReportArguments, engine: &Engine) -> Result<Vec<Section>, Failure> {
-    let options = CrankMeshOptions {
-        size: option::length(&arguments.stress_size, "--stress-size")?,
-        fillet_elements: arguments.stress_fillet_elements,
-        ..CrankMeshOptions::default()
-    };
-    let mesh = StressMesh { crankshaft: 0, options };
+fn stress_sections(arguments: &ReportArguments, file: &EngineFile) -> Result<Vec<Section>, Failure> {
+    let usual = CrankMeshOptions { size: 14e-3, fillet_elements: 4, ..CrankMeshOptions::default() };
+    let size =
+        arguments.stress_size.as_deref().map(|text| option::length(text, "--stress-size")).transpose()?;
+    let task = file.tasks.stress.as_ref();
+    let mesh = StressMesh::of(task, 0, size, arguments.stress_fillet_elements, usual);
+    let mesh = read_mesh(mesh, &arguments.file)?;
+    let engine = &file.engine;
     let traces = trace_files(engine, &arguments.file)?;
-    let request = StaticRequest { mesh, ..StaticRequest::default() };
+    let request = StaticRequest { mesh: mesh.clone(), ..StaticRequest::default() };
     let stress = static_stress(engine, &traces, &request, &say).map_err(Failure::refused)?;
-    let mesh = StressMesh { options: CrankMeshOptions { fillet_elements: 2, ..options }, ..mesh };
+    // Frequencies do not need the fillets of stresses.
+    let options = CrankMeshOptions { fillet_elements: 2, ..mesh.options };
+    let origins = MeshOrigins { fillet_elements: MeshOrigin::Usual, ..mesh.origins };
+    let mesh = StressMesh { options, origins, ..mesh };
     let request = ModesRequest { mesh, ..ModesRequest::default() };
     let modes = crank_modes(engine, &request, &say).map_err(Failure::refused)?;
     Ok(vec![stress.section(), modes.section()])

@@ -67,8 +67,8 @@ fn by_elements(
     let held = arguments.throws == StiffnessOption::Held;
     let mut notes = Vec::new();
     for crankshaft in 0..engine.crankshafts.len() {
-        let mesh = StressMesh { crankshaft, options };
-        for own in throw_stiffnesses(engine, mesh, solve, &say).map_err(Failure::refused)? {
+        let mesh = StressMesh { crankshaft, options, ..StressMesh::default() };
+        for own in throw_stiffnesses(engine, &mesh, solve, &say).map_err(Failure::refused)? {
             request.stiffness.push((own.throw, if held { own.held } else { own.free }));
             notes.push(format!(
                 "throw {} by finite elements, between the middles of its journals: {:.4} MN m/rad with journals free to move aside, {:.4} MN m/rad with their middles held; taken: {}",

@@ -19,6 +19,7 @@ pub enum StressCommand {
     /// Stress in every fillet, on pins and journals, under the loads of gas, inertia and rotation, or under forces of your own.
     #[command(
         after_help = "Examples:\n  lanchester stress static four.toml\n  lanchester stress static four.toml --angle '7 deg' --speed '4000 rpm'\n  \
+                            lanchester stress static four.toml --case 'unit radial'\n  \
                             lanchester stress static four.toml --force '1: -65 kN, 10.7 kN' --support clamped-ends\n  \
                             lanchester stress static four.toml --angle '7 deg' --support rings --ring-thickness '5 mm'\n  \
                             lanchester stress static four.toml --size '6 mm' --fillet-elements 8 --format csv > fillets.csv\n  \
@@ -84,10 +85,10 @@ pub struct MeshArguments {
     /// Number of the crankshaft, from 1.
     #[arg(long, value_name = "N", default_value_t = 1)]
     pub crankshaft: usize,
-    /// Size of the elements away from fillets, with its unit.
-    #[arg(long, value_name = "LENGTH", default_value = "8 mm")]
-    pub size: String,
-    /// Elements across the 90 deg of a fillet, an even number; 2 are enough for frequencies, 6 or more for stress.
+    /// Size of the elements away from fillets, with its unit; default that of [crank.mesh], else 8 mm.
+    #[arg(long, value_name = "LENGTH")]
+    pub size: Option<String>,
+    /// Elements across the 90 deg of a fillet, an even number; 2 are enough for frequencies, 6 or more for stress. Default that of [crank.mesh].
     #[arg(long, value_name = "N")]
     pub fillet_elements: Option<usize>,
     /// Most memory that matrix and factor may take, such as `4 GiB`.
@@ -104,7 +105,8 @@ pub struct SupportArguments {
     /// What holds the crankshaft; default: `journals`, for modes `free`.
     #[arg(long, value_enum)]
     pub support: Option<SupportOption>,
-    /// With `--support springs`: stiffness per journal and direction, with its unit, such as `500 kN/mm`.
+    /// With `--support springs`: stiffness per journal and direction, with its unit, such as `500 kN/mm`; along x and y of the block `500 kN/mm : 300 kN/mm`;
+    /// one for each journal from the free end on parted by commas. A stiffness of 0 does not hold.
     #[arg(long, value_name = "STIFFNESS", required_if_eq("support", "springs"))]
     pub stiffness: Option<String>,
     /// With `--support rings`: thickness of the rings, with its unit; 5 mm unless given.
@@ -134,8 +136,15 @@ pub enum SupportOption {
 /// The loads.
 #[derive(Debug, Clone, Args)]
 pub struct LoadArguments {
-    /// One crank angle, with its unit; default: angles of the largest radial, tangential and resultant force on each pin and firing top dead centres.
-    #[arg(long, value_name = "ANGLE", allow_hyphen_values = true, conflicts_with = "force")]
+    /// A static case of the file by its name: [[stress.case]], with its loads and support.
+    #[arg(
+        long,
+        value_name = "NAME",
+        conflicts_with_all = ["angle", "force", "speed", "support", "stiffness", "ring_thickness", "ring_modulus", "crankshaft"]
+    )]
+    pub case: Option<String>,
+    /// One crank angle, with its unit; with `--force` the one at which springs with two stiffnesses hold. Default: angles of the largest radial, tangential and resultant force on each pin and firing top dead centres.
+    #[arg(long, value_name = "ANGLE", allow_hyphen_values = true)]
     pub angle: Option<String>,
     /// Force on a pin instead, `PIN: RADIAL, TANGENTIAL` with units: radial positive away from the crank axis, tangential positive where it drives
     /// the crankshaft. May be given several times; all act at once.

@@ -6,6 +6,8 @@ use crate::options::stress::{
     SupportArguments, SupportOption,
 };
 use crate::requests::value_list::value_list;
+use crate::trace_files::read_mesh;
+use lanchester::file::EngineFile;
 use lanchester::flex::crank_case::CrankSupport;
 use lanchester::flex::crank_mesh::CrankMeshOptions;
 use lanchester::flex::sparse::Precision;
@@ -14,15 +16,19 @@ use lanchester::flex::train::BasisOptions;
 use lanchester::report::{CycleLaw, CycleSpeed, FatigueFactors};
 use lanchester::task::option;
 use lanchester::units::{Bound, Dimension};
-use lanchester::{CycleRequest, FatigueRequest, GivenForce, RuleRequest, StressLoad, StressMesh};
+use lanchester::{
+    CycleRequest, FatigueRequest, GivenForce, RuleRequest, StaticRequest, StressLoad, StressMesh, stress_case,
+};
 
 /// Which crankshaft, how fine.
-pub fn mesh(own: &MeshArguments, fillet_elements: usize) -> Result<StressMesh, Failure> {
-    let size = option::length(&own.size, "--size")?;
+///
+/// `usual`: elements across a fillet where neither the option nor the file says how many.
+pub fn mesh(own: &MeshArguments, file: &EngineFile, usual: usize) -> Result<StressMesh, Failure> {
+    let size = own.size.as_deref().map(|text| option::length(text, "--size")).transpose()?;
     let crankshaft = crankshaft(own.crankshaft)?;
-    let fillet_elements = own.fillet_elements.unwrap_or(fillet_elements);
-    let options = CrankMeshOptions { size, fillet_elements, ..CrankMeshOptions::default() };
-    Ok(StressMesh { crankshaft, options })
+    let usual = CrankMeshOptions { fillet_elements: usual, ..CrankMeshOptions::default() };
+    let mesh = StressMesh::of(file.tasks.stress.as_ref(), crankshaft, size, own.fillet_elements, usual);
+    read_mesh(mesh, &own.file)
 }
 
 /// Index of a crankshaft.
@@ -33,7 +39,7 @@ fn crankshaft(number: usize) -> Result<usize, Failure> {
 }
 
 /// What is asked of fatigue.
-pub fn fatigue_request(own: &FatigueArguments) -> Result<FatigueRequest, Failure> {
+pub fn fatigue_request(own: &FatigueArguments, file: &EngineFile) -> Result<FatigueRequest, Failure> {
     let speed = |text: &String| option::speed(text, "--speed").map_err(Failure::from);
     let above_zero = |value: f64, name: &str| {
         if value > 0.0 && value.is_finite() {
@@ -46,7 +52,7 @@ pub fn fatigue_request(own: &FatigueArguments) -> Result<FatigueRequest, Failure
     };
     above_zero(own.safety, "--safety")?;
     Ok(FatigueRequest {
-        mesh: mesh(&own.mesh, 6)?,
+        mesh: mesh(&own.mesh, file, 6)?,
         support: support(&own.support, CrankSupport::Journals)?,
         speeds: own.speed.iter().map(speed).collect::<Result<_, _>>()?,
         gas: !own.inertia_only,
@@ -61,7 +67,7 @@ pub fn fatigue_request(own: &FatigueArguments) -> Result<FatigueRequest, Failure
 }
 
 /// What is asked of a crankshaft over the cycle.
-pub fn cycle_request(own: &CycleArguments) -> Result<CycleRequest, Failure> {
+pub fn cycle_request(own: &CycleArguments, file: &EngineFile) -> Result<CycleRequest, Failure> {
     let law = |law: &LawOption| match law {
         LawOption::Rigid => CycleLaw::Rigid,
         LawOption::Contact => CycleLaw::Contact,
@@ -94,7 +100,7 @@ pub fn cycle_request(own: &CycleArguments) -> Result<CycleRequest, Failure> {
         ));
     }
     Ok(CycleRequest {
-        mesh: mesh(&own.mesh, 6)?,
+        mesh: mesh(&own.mesh, file, 6)?,
         laws,
         rigid_crank: own.rigid_crankshaft,
         speed: own.speed.as_ref().map(|text| option::speed(text, "--speed")).transpose()?,
@@ -183,21 +189,58 @@ pub fn support(own: &SupportArguments, default: CrankSupport) -> Result<CrankSup
         Some(SupportOption::Free) => CrankSupport::Free,
         Some(SupportOption::Springs) => {
             let text = own.stiffness.as_deref().unwrap_or_default();
-            let stiffness = option::of_dimension(text, Dimension::Stiffness, Bound::Positive, "--stiffness")?;
-            CrankSupport::Springs { stiffness }
+            CrankSupport::Springs { stiffness: text.split(',').map(stiffness).collect::<Result<_, _>>()? }
         }
     })
 }
 
-/// Loads and speeds.
-pub fn loads(own: &LoadArguments) -> Result<(StressLoad, Vec<f64>), Failure> {
+/// `500 kN/mm`, or `500 kN/mm : 300 kN/mm`: along x and y of the block.
+fn stiffness(text: &str) -> Result<[f64; 2], Failure> {
+    let of = |text: &str| {
+        let text = text.trim();
+        option::of_dimension(text, Dimension::Stiffness, Bound::NotNegative, "--stiffness")
+            .map_err(Failure::from)
+    };
+    let (x, y) = text.split_once(':').unwrap_or((text, text));
+    Ok([of(x)?, of(y)?])
+}
+
+/// A static case: one of the file, or what the options say.
+pub fn static_request(
+    file: &EngineFile,
+    own: &MeshArguments,
+    load: &LoadArguments,
+    held: &SupportArguments,
+) -> Result<StaticRequest, Failure> {
+    let mesh = mesh(own, file, 6)?;
+    let plain = match &load.case {
+        Some(name) => StaticRequest::of_case(stress_case(&file.tasks, name).map_err(Failure::refused)?, mesh),
+        None => {
+            let support = support(held, CrankSupport::Journals)?;
+            let (load, speeds) = loads(load, &support)?;
+            StaticRequest { mesh, support, load, speeds, ..StaticRequest::default() }
+        }
+    };
+    Ok(StaticRequest { gas: !load.inertia_only, solve: solve_options(own)?, ..plain })
+}
+
+/// Loads and speeds. `held`: what holds the crankshaft.
+fn loads(own: &LoadArguments, held: &CrankSupport) -> Result<(StressLoad, Vec<f64>), Failure> {
     let speed = |text: &String| option::speed(text, "--speed").map_err(Failure::from);
     let speeds = own.speed.iter().map(speed).collect::<Result<Vec<f64>, Failure>>()?;
-    let load = match (&own.angle, own.force.is_empty()) {
-        (Some(text), _) => StressLoad::Angle(option::angle(text, "--angle")?),
+    let angle = own.angle.as_deref().map(|text| option::angle(text, "--angle")).transpose()?;
+    let load = match (angle, own.force.is_empty()) {
+        (Some(angle), true) => StressLoad::Angle(angle),
         (None, true) => StressLoad::Extremes,
-        (None, false) => {
-            StressLoad::Given(own.force.iter().map(|text| force(text)).collect::<Result<_, Failure>>()?)
+        (Some(_), false) if !held.depends_on_angle() => {
+            return Err(Failure::input(
+                "--angle beside --force has no effect: forces along and across a throw and this support turn with the crankshaft",
+                "leave out one of the two; springs with another stiffness along y than along x need both",
+            ));
+        }
+        (angle, false) => {
+            let forces = own.force.iter().map(|text| force(text)).collect::<Result<_, Failure>>()?;
+            StressLoad::Given { forces, angle }
         }
     };
     Ok((load, speeds))

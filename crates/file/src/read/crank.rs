@@ -4,6 +4,7 @@ pub(in crate::read) mod body;
 pub(in crate::read) mod details;
 pub(in crate::read) mod mains;
 pub(in crate::read) mod material;
+pub(in crate::read) mod stress;
 
 use super::layers::Layers;
 use super::reader::Reader;

@@ -13,6 +13,7 @@ mod part;
 mod running;
 mod shaft_part;
 mod simulation;
+mod stress;
 mod tolerances;
 mod torsion;
 mod train;
@@ -34,6 +35,7 @@ use mount::{BLOCK, MOUNT};
 use running::{BEARINGS, FLYWHEEL, FRICTION};
 use shaft_part::SHAFT_WEIGHT_DESIGN;
 use simulation::{DRIVELINE, GOVERNOR, LOAD, MOST_LINKS, SIMULATION, STARTER};
+use stress::STRESS;
 use tolerances::TOLERANCES;
 use torsion::{DAMPER, MOST_PENDULUMS, PENDULUM, TORSION};
 use train::{ARTICULATED_ROD, CRANK, CRANKSHAFT, CYLINDER, CYLINDERS, PISTON, ROD, THROW};
@@ -245,6 +247,13 @@ pub(crate) static FILE: Table = Table {
             Optional,
             "Centrifugal pendulums on the webs of a throw.",
             "[{ throw = 4, mass = \"0.4 kg\", pivot_radius = \"90 mm\", length = \"10 mm\" }]",
+        ),
+        key(
+            "stress",
+            Kind::Table(&STRESS),
+            Optional,
+            "Static cases of the crankshafts.",
+            "{ case = [{ name = \"unit radial\", pin = 1, radial = \"-65 kN\" }] }",
         ),
         key(
             "tolerances",

@@ -17,4 +17,5 @@ mod parts;
 mod schema;
 mod shaft_parts;
 mod simulation;
+mod stress;
 mod write_back;

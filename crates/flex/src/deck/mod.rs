@@ -10,5 +10,5 @@ mod springs;
 mod write;
 
 pub(crate) use contact::with_contact;
-pub use read::{Deck, DeckStep, read_deck};
+pub use read::{Deck, DeckStep, read_deck, read_mesh};
 pub use write::{Analysis, write_deck};

@@ -25,6 +25,8 @@ pub struct Deck {
     pub steps: Vec<DeckStep>,
     /// The number of each node in the deck.
     pub node_numbers: Vec<u32>,
+    /// The number of each element in the deck.
+    pub element_numbers: Vec<u32>,
 }
 
 /// Cards that only ask for output.
@@ -61,6 +63,28 @@ struct Reader {
 /// # Errors
 /// [`FlexError::Deck`] with the line of the first mistake; as [`Mesh::check`] where the mesh it makes is none.
 pub fn read_deck(text: &str) -> Result<Deck, FlexError> {
+    read_cards(text)?.finish()
+}
+
+/// As [`read_deck`], of a mesh: elements without a section have this material.
+///
+/// # Errors
+/// As [`read_deck`].
+pub fn read_mesh(text: &str, material: &Material) -> Result<Deck, FlexError> {
+    let mut reader = read_cards(text)?;
+    if reader.is_section.contains(&false) {
+        let own = reader.mesh.materials.len() as u32;
+        reader.mesh.materials.push(material.clone());
+        for (element, is_section) in reader.mesh.elements.iter_mut().zip(&mut reader.is_section) {
+            if !*is_section {
+                (element.material, *is_section) = (own, true);
+            }
+        }
+    }
+    reader.finish()
+}
+
+fn read_cards(text: &str) -> Result<Reader, FlexError> {
     let mut reader = Reader::default();
     let mut card: Option<Card> = None;
     let mut data: Vec<(usize, Vec<String>)> = Vec::new();
@@ -92,7 +116,7 @@ pub fn read_deck(text: &str) -> Result<Deck, FlexError> {
     if let Some(card) = card.take() {
         reader.card(&card, &data)?;
     }
-    reader.finish()
+    Ok(reader)
 }
 
 fn wrong(line: usize, message: impl Into<String>) -> FlexError {
@@ -195,7 +219,7 @@ impl Reader {
             return self.read_spring_elements(card, data);
         }
         let kind = ElementKind::ALL.into_iter().find(|kind| kind.deck_name() == name).ok_or_else(|| {
-            wrong(card.line, format!("unknown element type {name}; read are C3D10, C3D15, C3D20 and SPRING1"))
+            wrong(card.line, format!("unknown element type {name}; read are C3D10, C3D15, C3D20 and SPRING1: leave out elements of lines and surfaces, and make linear ones quadratic"))
         })?;
         let mut set = Vec::new();
         let mut fields: Vec<u32> = Vec::new();
@@ -530,7 +554,18 @@ impl Reader {
             nodes.dedup();
             self.mesh.sets.push(NodeSet { name, nodes });
         }
-        self.mesh.check()?;
-        Ok(Deck { mesh: self.mesh, steps: self.steps, node_numbers: self.numbers })
+        let mut element_numbers = vec![0; self.mesh.elements.len()];
+        for (number, index) in &self.elements {
+            element_numbers[*index as usize] = *number;
+        }
+        // Whoever made the deck knows its own numbers.
+        self.mesh.check().map_err(|error| match error {
+            FlexError::Inverted { element, at, jacobian, needed } => {
+                FlexError::Inverted { element: element_numbers[element - 1] as usize, at, jacobian, needed }
+            }
+            FlexError::FreeNode { node } => FlexError::FreeNode { node: self.numbers[node - 1] as usize },
+            other => other,
+        })?;
+        Ok(Deck { mesh: self.mesh, steps: self.steps, node_numbers: self.numbers, element_numbers })
     }
 }

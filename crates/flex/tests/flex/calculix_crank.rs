@@ -50,13 +50,13 @@ fn rows(text: &str, head: &str) -> Vec<Vec<f64>> {
 fn ext_ccx_static_crankshaft() {
     let crank = throw();
     let pin = PinLoad { pin: 1, force: [-65e3 * 0.992, 65e3 * 0.122] };
-    let load = CrankLoad { pins: vec![pin], speed: 400.0 };
+    let load = CrankLoad { pins: vec![pin], speed: 400.0, ..CrankLoad::default() };
     for (name, support) in [
         ("clamped", CrankSupport::ClampedEnds),
-        ("springs", CrankSupport::Springs { stiffness: 2e9 }),
+        ("springs", CrankSupport::even_springs(2e9)),
         ("journals", CrankSupport::Journals),
     ] {
-        let case = crank_cases(&crank, support, std::slice::from_ref(&load)).unwrap().remove(0);
+        let case = crank_cases(&crank, &support, std::slice::from_ref(&load)).unwrap().remove(0);
         let case = as_node_forces(&crank.mesh, &case).unwrap();
         let deck = write_deck(&crank.mesh, &case, Analysis::Static).unwrap();
         let Some(text) = run(name, &deck) else { return };
@@ -87,7 +87,7 @@ fn ext_ccx_static_crankshaft() {
 #[test]
 fn ext_ccx_modes_crankshaft() {
     let crank = throw();
-    let case = crank_cases(&crank, CrankSupport::ClampedEnds, &[CrankLoad::default()]).unwrap().remove(0);
+    let case = crank_cases(&crank, &CrankSupport::ClampedEnds, &[CrankLoad::default()]).unwrap().remove(0);
     let deck = write_deck(&crank.mesh, &case, Analysis::Frequency(4)).unwrap();
     let Some(text) = run("modes", &deck) else { return };
     let theirs = rows(&text, "MODE NO    EIGENVALUE");

@@ -126,11 +126,11 @@ fn fillets_that_do_not_fit_are_told() {
 fn static_case_of_a_crankshaft_is_in_balance() {
     let engine = one_throw("pin_fillet = \"4 mm\"\njournal_fillet = \"4 mm\"");
     let load = PinLoad { pin: 1, force: [-65e3 * 0.992, 65e3 * 0.122] };
-    let loads = [CrankLoad { pins: vec![load], speed: 0.0 }];
+    let loads = [CrankLoad { pins: vec![load], ..CrankLoad::default() }];
     let solve = |fillet_elements: usize, support: CrankSupport, precision: Precision| {
         let crank = crank_mesh(&engine, 0, CrankMeshOptions { fillet_elements, ..coarse(true) }).unwrap();
         let options = SolveOptions { precision, ..SolveOptions::default() };
-        let mut cases = solve_crank(&crank, support, &loads, options).unwrap();
+        let mut cases = solve_crank(&crank, &support, &loads, options).unwrap();
         cases.remove(0)
     };
     let journals = solve(2, CrankSupport::Journals, Precision::Single);
@@ -160,8 +160,8 @@ fn static_case_of_a_crankshaft_is_in_balance() {
 fn sharp_corner_has_no_stress() {
     let engine = one_throw("");
     let crank = crank_mesh(&engine, 0, coarse(true)).unwrap();
-    let load = CrankLoad { pins: vec![PinLoad { pin: 1, force: [-1e4, 0.0] }], speed: 100.0 };
-    let cases = solve_crank(&crank, CrankSupport::Free, &[load], SolveOptions::default()).unwrap();
+    let load = CrankLoad { pins: vec![PinLoad { pin: 1, force: [-1e4, 0.0] }], speed: 100.0, ..CrankLoad::default() };
+    let cases = solve_crank(&crank, &CrankSupport::Free, &[load], SolveOptions::default()).unwrap();
     assert!(cases[0].peaks.iter().all(|peak| peak.stress.is_none()));
     let mass = crank.quality.mass;
     let acceleration = cases[0].solution.accelerations.unwrap();

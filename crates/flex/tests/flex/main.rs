@@ -8,6 +8,8 @@ mod crank;
 mod crank_kinds;
 mod crank_parts;
 mod elements;
+mod own_mesh;
 mod reduction;
 mod rings;
+mod springs;
 mod train;

@@ -1,7 +1,8 @@
 //! Stress and modes on three meshes, extrapolated.
 
 use crate::pressure::measured::TraceFile;
-use crate::stress::request::{ModesRequest, StaticRequest, StressError, StressMesh, StressStage};
+use crate::stress::mesh::StressMesh;
+use crate::stress::request::{ModesRequest, StaticRequest, StressError, StressStage};
 use crate::stress::run::{crank_modes, static_stress};
 use lanchester_flex::crank_mesh::CrankMeshOptions;
 use lanchester_flex::richardson::richardson;
@@ -13,15 +14,19 @@ use lanchester_report::{
 const REFINED: [f64; 3] = [1.0, 1.4, 2.0];
 
 /// Meshes of sizes h, h/1.4, h/2; elements across a fillet n, about 1.4 n, 2 n, even and each more than before.
-fn meshes(mesh: StressMesh) -> [StressMesh; 3] {
+fn meshes(mesh: &StressMesh) -> Result<[StressMesh; 3], StressError> {
+    if let Some(own) = &mesh.own {
+        return Err(StressError::OneMesh { name: own.name.clone() });
+    }
     let first = mesh.options.fillet_elements;
     let even = |factor: f64| 2 * (first as f64 * factor / 2.0).round() as usize;
     let second = even(REFINED[1]).max(first + 2);
     let counts = [first, second, even(REFINED[2]).max(second + 2)];
-    std::array::from_fn(|k| {
+    Ok(std::array::from_fn(|k| {
         let size = mesh.options.size / REFINED[k];
-        StressMesh { options: CrankMeshOptions { size, fillet_elements: counts[k], ..mesh.options }, ..mesh }
-    })
+        let options = CrankMeshOptions { size, fillet_elements: counts[k], ..mesh.options };
+        StressMesh { options, ..mesh.clone() }
+    }))
 }
 
 fn sheet_of(sheet: &CrankSheet, unknowns: usize) -> ConvergenceMesh {
@@ -56,10 +61,11 @@ pub fn converged_stress(
     request: &StaticRequest,
     watch: &dyn Fn(StressStage),
 ) -> Result<StaticStress, StressError> {
-    let own = meshes(request.mesh);
-    let solve = |mesh: StressMesh| -> Result<StaticStress, StressError> {
-        let mut found = static_stress(engine, traces, &StaticRequest { mesh, ..request.clone() }, watch)?;
-        if mesh != own[2] {
+    let own = meshes(&request.mesh)?;
+    let solve = |mesh: &StressMesh| -> Result<StaticStress, StressError> {
+        let asked = StaticRequest { mesh: mesh.clone(), ..request.clone() };
+        let mut found = static_stress(engine, traces, &asked, watch)?;
+        if *mesh != own[2] {
             // Fields of the coarser meshes are not needed any more.
             for case in &mut found.cases {
                 case.result.stresses = Vec::new();
@@ -69,9 +75,9 @@ pub fn converged_stress(
         }
         Ok(found)
     };
-    let found = [solve(own[0])?, solve(own[1])?, solve(own[2])?];
-    let sizes = own.map(|mesh| mesh.options.size);
-    let fillets = own.map(|mesh| 1.0 / mesh.options.fillet_elements as f64);
+    let found = [solve(&own[0])?, solve(&own[1])?, solve(&own[2])?];
+    let sizes = own.each_ref().map(|mesh| mesh.options.size);
+    let fillets = own.each_ref().map(|mesh| 1.0 / mesh.options.fillet_elements as f64);
     let mut numbers = Vec::new();
     for k in 0..found[2].cases.len() {
         let of = |value: &dyn Fn(&lanchester_report::StressCase) -> f64| {
@@ -105,10 +111,12 @@ pub fn converged_modes(
     request: &ModesRequest,
     watch: &dyn Fn(StressStage),
 ) -> Result<CrankModes, StressError> {
-    let own = meshes(request.mesh);
-    let solve = |mesh: StressMesh| crank_modes(engine, &ModesRequest { mesh, ..request.clone() }, watch);
-    let found = [solve(own[0])?, solve(own[1])?, solve(own[2])?];
-    let sizes = own.map(|mesh| mesh.options.size);
+    let own = meshes(&request.mesh)?;
+    let solve = |mesh: &StressMesh| {
+        crank_modes(engine, &ModesRequest { mesh: mesh.clone(), ..request.clone() }, watch)
+    };
+    let found = [solve(&own[0])?, solve(&own[1])?, solve(&own[2])?];
+    let sizes = own.each_ref().map(|mesh| mesh.options.size);
     let count = found.iter().map(|found| found.modes.modes.len()).min().unwrap_or(0);
     let number = |k: usize| {
         let values = [0, 1, 2].map(|mesh: usize| Some(found[mesh].modes.modes[k].frequency));
@@ -129,8 +137,8 @@ mod tests {
     fn meshes_of_a_study_become_finer() {
         for fillet_elements in [2, 4, 6, 8] {
             let options = CrankMeshOptions { fillet_elements, ..CrankMeshOptions::default() };
-            let counts =
-                meshes(StressMesh { crankshaft: 0, options }).map(|mesh| mesh.options.fillet_elements);
+            let counts = meshes(StressMesh { options, ..StressMesh::default() })
+                .map(|mesh| mesh.options.fillet_elements);
             assert!(
                 counts[0] == fillet_elements && counts[1] > counts[0] && counts[2] > counts[1],
                 "{counts:?}"

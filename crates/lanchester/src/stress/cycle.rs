@@ -54,7 +54,7 @@ pub fn crank_cycle(
     request: &CycleRequest,
     watch: &dyn Fn(CycleStage) -> bool,
 ) -> Result<CrankCycle, StressError> {
-    check_crankshaft(engine, request.mesh)?;
+    check_crankshaft(engine, &request.mesh)?;
     let speed = request.speed.unwrap_or(engine.speed.highest);
     let gas = match &engine.gas {
         Some(_) if request.gas => Some(cylinder_gas(engine, traces, speed)?),
@@ -72,7 +72,7 @@ pub fn crank_cycle(
     let mesh_watch = |stage| {
         watch(CycleStage::Mesh(stage));
     };
-    let sheet = sheet(engine, request.mesh, &mesh_watch)?;
+    let sheet = sheet(engine, &request.mesh, &mesh_watch)?;
     let surfaces: Vec<_> = places.iter().map(|own| own.surface.clone()).collect();
     let estimate = |estimate: &_| mesh_watch(StressStage::Factoring(*estimate));
     let basis = crank_basis(&sheet.crank, &surfaces, request.basis, &estimate)?;

@@ -19,10 +19,10 @@ use lanchester_report::{CrankModes, StaticStress, StressCase};
 pub fn case_deck(
     stress: &StaticStress,
     case: &StressCase,
-    support: CrankSupport,
+    support: &CrankSupport,
 ) -> Result<String, StressError> {
     let crank = &stress.sheet.crank;
-    if let CrankSupport::Rings { thickness, modulus } = support {
+    if let CrankSupport::Rings { thickness, modulus } = *support {
         let name = format!("{}: {}", stress.sheet.engine, case.name);
         return Ok(rings_deck(crank, RingsOf { thickness, modulus }, &case.loading, &name)?);
     }
@@ -55,13 +55,13 @@ pub fn case_vtu(stress: &StaticStress, case: &StressCase) -> Vec<u8> {
 ///
 /// # Errors
 /// [`StressError::Flex`] where the mesh lacks a set.
-pub fn modes_deck(found: &CrankModes, support: CrankSupport, count: usize) -> Result<String, StressError> {
+pub fn modes_deck(found: &CrankModes, support: &CrankSupport, count: usize) -> Result<String, StressError> {
     let crank = &found.sheet.crank;
     let mut case = match support {
         CrankSupport::Free => StaticCase::default(),
-        support => crank_support(crank, &BearingSurfaces::new(crank), support)?,
+        support => crank_support(crank, &BearingSurfaces::new(crank), support, 0.0)?,
     };
-    let rigid = if support == CrankSupport::Free { 6 } else { 0 };
+    let rigid = if *support == CrankSupport::Free { 6 } else { 0 };
     case.name.clone_from(&found.sheet.engine);
     Ok(write_deck(&crank.mesh, &case, Analysis::Frequency(count + rigid))?)
 }

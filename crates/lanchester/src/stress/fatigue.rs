@@ -9,7 +9,8 @@
 
 use crate::pressure::cylinders::cylinder_gas;
 use crate::pressure::measured::TraceFile;
-use crate::stress::request::{StressError, StressMesh, StressStage, support_words};
+use crate::stress::mesh::StressMesh;
+use crate::stress::request::{StressError, StressStage, support_words};
 use crate::stress::run::{check_crankshaft, sheet};
 use lanchester_flex::case::StaticCase;
 use lanchester_flex::crank_case::{BearingSurfaces, CrankSupport, PinLoad, crank_support, load_pin};
@@ -78,7 +79,10 @@ pub fn crank_fatigue(
     request: &FatigueRequest,
     watch: &dyn Fn(StressStage),
 ) -> Result<CrankFatigue, StressError> {
-    check_crankshaft(engine, request.mesh)?;
+    check_crankshaft(engine, &request.mesh)?;
+    if request.support.depends_on_angle() {
+        return Err(StressError::AngledSprings);
+    }
     let material = engine.crank_material.unwrap_or_default();
     let (Some(bending), Some(torsion)) = (material.fatigue_bending(), material.fatigue_torsion()) else {
         return Err(StressError::NoFatigueLimit);
@@ -91,7 +95,7 @@ pub fn crank_fatigue(
         speeds = vec![engine.speed.lowest, engine.speed.highest];
         speeds.dedup();
     }
-    let sheet = sheet(engine, request.mesh, watch)?;
+    let sheet = sheet(engine, &request.mesh, watch)?;
     if sheet.crank.corners.iter().all(|corner| corner.nodes.is_empty()) {
         return Err(StressError::NoFillet { crankshaft: crankshaft + 1 });
     }
@@ -134,7 +138,7 @@ pub fn crank_fatigue(
     }
     Ok(CrankFatigue {
         version: CRANK_FATIGUE_VERSION,
-        support: support_words(request.support),
+        support: support_words(&request.support),
         gas: source,
         solve: units.report,
         bending_limit: bending,
@@ -185,7 +189,7 @@ impl UnitStresses {
         let own = |throw: &usize| engine.throws[*throw].crankshaft == request.mesh.crankshaft;
         let throws: Vec<usize> = (0..engine.throws.len()).filter(own).collect();
         let surfaces = BearingSurfaces::new(crank);
-        let base = crank_support(crank, &surfaces, request.support)?;
+        let base = crank_support(crank, &surfaces, &request.support, 0.0)?;
         let top = engine.speed.highest.max(1.0);
         let mut cases = Vec::new();
         for throw in &throws {

@@ -56,9 +56,9 @@ pub(crate) fn named_loads(
     traces: &[TraceFile],
     request: &StaticRequest,
 ) -> Result<(Vec<NamedLoad>, Option<String>), StressError> {
-    if let StressLoad::Given(forces) = &request.load {
+    if let StressLoad::Given { forces, angle } = &request.load {
         let speeds = if request.speeds.is_empty() { vec![0.0] } else { request.speeds.clone() };
-        let loads = speeds.iter().map(|speed| given(engine, request.mesh.crankshaft, *speed, forces));
+        let loads = speeds.iter().map(|speed| given(engine, request.mesh.crankshaft, *speed, forces, *angle));
         return Ok((loads.collect::<Result<_, _>>()?, None));
     }
     let mut speeds = request.speeds.clone();
@@ -101,8 +101,15 @@ fn named(
                 .map(|own| PinLoad { pin: own.throw + 1, force: [own.force.re, own.force.im] })
                 .collect(),
             speed: ratio * speed,
+            turn: turn(engine, crankshaft, theta),
         },
     }
+}
+
+/// Angle from the block's x axis to that of the frame of a crankshaft, along its first throw [rad].
+fn turn(engine: &Engine, crankshaft: usize, theta: f64) -> f64 {
+    let own = &engine.crankshafts[crankshaft];
+    own.ratio.value() * theta + own.phase
 }
 
 /// A size of the force on a pin, and how it is called.
@@ -175,6 +182,7 @@ fn given(
     crankshaft: usize,
     speed: f64,
     forces: &[PinForces],
+    angle: Option<f64>,
 ) -> Result<NamedLoad, StressError> {
     let own = &engine.crankshafts[crankshaft];
     let sense = f64::from(own.ratio.numerator().signum());
@@ -205,6 +213,10 @@ fn given(
         name.push_str(&format!(", {:.0} rpm", speed * 30.0 / PI));
     }
     let pins = forces.iter().map(pin).collect::<Result<Vec<PinLoad>, StressError>>()?;
-    let load = CrankLoad { pins, speed: own.ratio.value() * speed };
-    Ok(NamedLoad { name, theta: None, speed, forces: forces.to_vec(), load })
+    if let Some(angle) = angle {
+        name.push_str(&format!(", crank angle {:.1} deg", angle.to_degrees()));
+    }
+    let turn = turn(engine, crankshaft, angle.unwrap_or(0.0));
+    let load = CrankLoad { pins, speed: own.ratio.value() * speed, turn };
+    Ok(NamedLoad { name, theta: angle, speed, forces: forces.to_vec(), load })
 }

@@ -1,6 +1,7 @@
 //! The reduced model of a crankshaft.
 
-use crate::stress::request::{StressError, StressMesh, StressStage};
+use crate::stress::mesh::StressMesh;
+use crate::stress::request::{StressError, StressStage};
 use crate::stress::run::{check_crankshaft, sheet};
 use lanchester_flex::reduction::{ReducedModel, ReductionOptions, interfaces, reduce_watched};
 use lanchester_model::Engine;
@@ -12,7 +13,7 @@ use lanchester_report::{REDUCED_VERSION, ReducedCrank};
 /// As [`crate::static_stress`].
 pub fn reduced_crank(
     engine: &Engine,
-    mesh: StressMesh,
+    mesh: &StressMesh,
     options: ReductionOptions,
     watch: &dyn Fn(StressStage),
 ) -> Result<ReducedCrank, StressError> {

@@ -2,22 +2,13 @@
 
 use crate::bearing_films::BearingFilmsError;
 use crate::pressure::error::GasError;
+use crate::stress::mesh::StressMesh;
 use lanchester_flex::FlexError;
 use lanchester_flex::crank_case::CrankSupport;
-use lanchester_flex::crank_mesh::CrankMeshOptions;
 use lanchester_flex::sparse::SolveEstimate;
 use lanchester_flex::statics::SolveOptions;
 use lanchester_mechanism::TorqueError;
 use lanchester_report::PinForces;
-
-/// Which crankshaft, how fine.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct StressMesh {
-    /// Index of the crankshaft.
-    pub crankshaft: usize,
-    /// Size of its elements.
-    pub options: CrankMeshOptions,
-}
 
 /// A force that the user gives, along a throw and across it [N].
 pub type GivenForce = PinForces;
@@ -31,12 +22,19 @@ pub enum StressLoad {
     /// The closed form at this crank angle [rad].
     Angle(f64),
     /// Forces on pins; without a speed the crankshaft stands still.
-    Given(Vec<GivenForce>),
+    Given {
+        /// The forces.
+        forces: Vec<GivenForce>,
+        /// Crank angle [rad], which turns the crankshaft in springs that differ across directions; 0 where none is given.
+        angle: Option<f64>,
+    },
 }
 
 /// A static case.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StaticRequest {
+    /// Name of the case, which goes before the words of its loads.
+    pub name: Option<String>,
     /// Which crankshaft, how fine.
     pub mesh: StressMesh,
     /// What holds it.
@@ -55,6 +53,7 @@ impl Default for StaticRequest {
     /// The built-in cases on journals, with the gas of the file.
     fn default() -> StaticRequest {
         StaticRequest {
+            name: None,
             mesh: StressMesh::default(),
             support: CrankSupport::Journals,
             load: StressLoad::default(),
@@ -125,6 +124,12 @@ pub enum StressError {
         "fatigue limits are needed, the material has neither of its own nor a tensile strength to estimate them from\nhint: give fatigue_bending and fatigue_torsion, tensile_strength or a preset in [crank.material]"
     )]
     NoFatigueLimit,
+    /// A support that is another one at every crank angle.
+    #[error(
+        "springs whose stiffness along x and y differs hold the crankshaft differently at every crank angle: fatigue over the cycle needs one stiffness for both\nhint: \
+         give one stiffness for both directions, or solve single crank angles"
+    )]
+    AngledSprings,
     /// Fatigue limits that the criterion cannot hold both.
     #[error(transparent)]
     Limits(#[from] lanchester_strength::LimitsError),
@@ -167,6 +172,38 @@ pub enum StressError {
         /// What fixes it.
         hint: String,
     },
+    /// A mesh from elsewhere that cannot be used.
+    #[error("{name}: {error}")]
+    MeshFile {
+        /// Its name in the engine file.
+        name: String,
+        /// Why.
+        error: FlexError,
+    },
+    /// A mesh from elsewhere that nobody has read.
+    #[error(
+        "the mesh {name} of [crank.mesh] has not been read\nhint: give a size of the elements, which meshes [crank.body] instead, or leave `file` out of [crank.mesh]"
+    )]
+    MeshNotRead {
+        /// Its name in the engine file.
+        name: String,
+    },
+    /// A study that needs several meshes.
+    #[error(
+        "a study of convergence needs meshes of three sizes, and {name} of [crank.mesh] is one\nhint: give a size of the elements, which meshes [crank.body] instead"
+    )]
+    OneMesh {
+        /// Its name in the engine file.
+        name: String,
+    },
+    /// A static case that the engine file does not have.
+    #[error("no static case of the engine file is called \"{name}\"\nhint: {}", known_cases(.known))]
+    NoCase {
+        /// The name asked for.
+        name: String,
+        /// The names that there are.
+        known: Vec<String>,
+    },
     /// A crankshaft or pin that is not there.
     #[error("{what} {number} is needed, the engine has {there}\nhint: numbers count from 1")]
     Missing {
@@ -179,22 +216,45 @@ pub enum StressError {
     },
 }
 
+/// What the file has instead of a case.
+fn known_cases(known: &[String]) -> String {
+    if known.is_empty() {
+        return "the file has none; add a table [[stress.case]]".to_owned();
+    }
+    let names: Vec<String> = known.iter().map(|name| format!("\"{name}\"")).collect();
+    format!("the file has {}", names.join(", "))
+}
+
 /// A support in words.
-pub fn support_words(support: CrankSupport) -> String {
+pub fn support_words(support: &CrankSupport) -> String {
     match support {
         CrankSupport::ClampedEnds => "both end faces clamped".to_owned(),
         CrankSupport::Journals => {
             "mean of each journal's surface fixed in the plane across the axis, flywheel end fixed along and about the axis".to_owned()
         }
-        CrankSupport::Springs { stiffness } => format!(
-            "a spring of {:.4} MN/m at each journal in both directions, flywheel end fixed along and about the axis",
-            1e-6 * stiffness
-        ),
+        CrankSupport::Springs { stiffness } => match stiffness[..] {
+            [[x, y]] if x == y => format!(
+                "a spring of {:.4} MN/m at each journal in both directions, flywheel end fixed along and about the axis",
+                1e-6 * x
+            ),
+            _ => {
+                let of = |(index, [x, y]): (usize, &[f64; 2])| {
+                    let which = if stiffness.len() == 1 { "each".to_owned() } else { (index + 1).to_string() };
+                    let [x, y] = [x, y].map(|k| in_four_places(1e-6 * k));
+                    if x == y { format!("{which} {x}") } else { format!("{which} {x} and {y}") }
+                };
+                let each: Vec<String> = stiffness.iter().enumerate().map(of).collect();
+                format!(
+                    "springs at the journals, stiffness along x and y of the block in MN/m: {}; flywheel end fixed along and about the axis",
+                    each.join(", ")
+                )
+            }
+        },
         CrankSupport::Rings { thickness, modulus } => format!(
             "rings {} mm thick of {} GPa around the journals, fixed at their outside, and around the loaded pins, which take the load there; contact \
              without friction or tension; flywheel end fixed along and about the axis",
-            in_four_places(1e3 * thickness),
-            in_four_places(1e-9 * modulus)
+            in_four_places(1e3 * *thickness),
+            in_four_places(1e-9 * *modulus)
         ),
         CrankSupport::Free => "none: loads balanced by the inertia of the crankshaft (inertia relief)".to_owned(),
     }

@@ -2,8 +2,10 @@
 
 use crate::pressure::measured::TraceFile;
 use crate::stress::loads::named_loads;
+use crate::stress::mesh::{MeshFile, StressMesh};
+use crate::stress::own_mesh::own_mesh_plan;
 use crate::stress::request::{
-    ModesRequest, StaticRequest, StressError, StressLoad, StressMesh, StressStage, support_words,
+    ModesRequest, StaticRequest, StressError, StressLoad, StressStage, support_words,
 };
 use lanchester_flex::Material;
 use lanchester_flex::case::StaticCase;
@@ -11,6 +13,7 @@ use lanchester_flex::crank_case::{BearingSurfaces, CrankLoad, CrankSupport, cran
 use lanchester_flex::crank_mesh::crank_mesh;
 use lanchester_flex::crank_solve::solve_crank_watched;
 use lanchester_flex::modes::{ModeKind, modes_watched};
+use lanchester_flex::own_mesh::own_mesh;
 use lanchester_model::{CrankElement, CrankElementForm, Engine, Origin};
 use lanchester_report::{
     CrankModes, CrankSheet, MODES_VERSION, STATIC_STRESS_VERSION, StaticStress, StressCase, StressMaterial,
@@ -27,15 +30,18 @@ pub fn static_stress(
     request: &StaticRequest,
     watch: &dyn Fn(StressStage),
 ) -> Result<StaticStress, StressError> {
-    check_crankshaft(engine, request.mesh)?;
-    let (loads, gas) = named_loads(engine, traces, request)?;
-    let sheet = sheet(engine, request.mesh, watch)?;
+    check_crankshaft(engine, &request.mesh)?;
+    let (mut loads, gas) = named_loads(engine, traces, request)?;
+    if let Some(name) = &request.name {
+        loads.iter_mut().for_each(|load| load.name = format!("{name}: {}", load.name));
+    }
+    let sheet = sheet(engine, &request.mesh, watch)?;
     if sheet.crank.corners.iter().all(|corner| corner.nodes.is_empty()) {
         return Err(StressError::NoFillet { crankshaft: request.mesh.crankshaft + 1 });
     }
     let cases: Vec<CrankLoad> = loads.iter().map(|own| own.load.clone()).collect();
     let estimate = |estimate: &_| watch(StressStage::Factoring(*estimate));
-    let solved = solve_crank_watched(&sheet.crank, request.support, &cases, request.solve, &estimate)?;
+    let solved = solve_crank_watched(&sheet.crank, &request.support, &cases, request.solve, &estimate)?;
     let Some(solve) = solved.first().map(|case| case.solution.report) else {
         return Err(StressError::Missing { what: "load case", number: 1, there: "none".to_owned() });
     };
@@ -58,14 +64,14 @@ pub fn static_stress(
             .to_owned(),
     }];
     notes.push(match request.load {
-        StressLoad::Given(_) => {
+        StressLoad::Given { .. } => {
             "Forces as given; the centrifugal field of the crankshaft acts where a speed is given.".to_owned()
         }
         _ => "Forces of gas and of the inertia of pistons and rods from the closed form at constant speed, sought in steps of 1 deg; the \
               crankshaft's own centrifugal field acts."
             .to_owned(),
     });
-    if request.support == CrankSupport::Free && !matches!(request.load, StressLoad::Given(_)) {
+    if request.support == CrankSupport::Free && !matches!(request.load, StressLoad::Given { .. }) {
         notes.push(
             "Without supports the bearings carry nothing: the loads accelerate the crankshaft as a whole."
                 .to_owned(),
@@ -74,7 +80,7 @@ pub fn static_stress(
     Ok(StaticStress {
         version: STATIC_STRESS_VERSION,
         sheet,
-        support: support_words(request.support),
+        support: support_words(&request.support),
         gas,
         solve,
         cases: cases.collect(),
@@ -92,17 +98,17 @@ pub fn crank_modes(
     request: &ModesRequest,
     watch: &dyn Fn(StressStage),
 ) -> Result<CrankModes, StressError> {
-    check_crankshaft(engine, request.mesh)?;
-    let sheet = sheet(engine, request.mesh, watch)?;
-    let (case, rigid) = match request.support {
+    check_crankshaft(engine, &request.mesh)?;
+    let sheet = sheet(engine, &request.mesh, watch)?;
+    let (case, rigid) = match &request.support {
         CrankSupport::Free => (StaticCase::default(), 6),
-        support => (crank_support(&sheet.crank, &BearingSurfaces::new(&sheet.crank), support)?, 0),
+        support => (crank_support(&sheet.crank, &BearingSurfaces::new(&sheet.crank), support, 0.0)?, 0),
     };
     let estimate = |estimate: &_| watch(StressStage::Factoring(*estimate));
     let mut modes = modes_watched(&sheet.crank.mesh, &case, request.count + rigid, request.solve, &estimate)?;
     // Rigid motions are told in a sentence, not in rows.
     modes.modes.retain(|mode| mode.kind != ModeKind::Rigid);
-    let support = match request.support {
+    let support = match &request.support {
         CrankSupport::Free => "none; its six rigid motions are left out".to_owned(),
         support => support_words(support),
     };
@@ -110,7 +116,7 @@ pub fn crank_modes(
 }
 
 /// Refuses a crankshaft that is not there.
-pub(crate) fn check_crankshaft(engine: &Engine, mesh: StressMesh) -> Result<(), StressError> {
+pub(crate) fn check_crankshaft(engine: &Engine, mesh: &StressMesh) -> Result<(), StressError> {
     let count = engine.crankshafts.len();
     if mesh.crankshaft < count {
         return Ok(());
@@ -122,10 +128,15 @@ pub(crate) fn check_crankshaft(engine: &Engine, mesh: StressMesh) -> Result<(), 
 /// The mesh with what there is to say of it.
 pub(crate) fn sheet(
     engine: &Engine,
-    mesh: StressMesh,
+    mesh: &StressMesh,
     watch: &dyn Fn(StressStage),
 ) -> Result<CrankSheet, StressError> {
-    let crank = crank_mesh(engine, mesh.crankshaft, mesh.options)?;
+    let crank = match &mesh.own {
+        None => crank_mesh(engine, mesh.crankshaft, mesh.options)?,
+        Some(MeshFile { name, text: None }) => return Err(StressError::MeshNotRead { name: name.clone() }),
+        Some(MeshFile { name, text: Some(text) }) => own_mesh(text, &own_mesh_plan(engine, mesh.crankshaft))
+            .map_err(|error| StressError::MeshFile { name: name.clone(), error })?,
+    };
     watch(StressStage::Meshed(crank.mesh.nodes.len(), crank.mesh.elements.len()));
     let elastic = crank.mesh.materials.first().cloned().unwrap_or_else(Material::steel);
     let given = engine.crank_material.as_ref();
@@ -134,13 +145,19 @@ pub(crate) fn sheet(
         engine: engine.name.clone(),
         crankshaft: mesh.crankshaft + 1,
         fillet_mass: elastic.density * crank.corners.iter().map(|corner| corner.volume()).sum::<f64>(),
-        exact_mass: crank.body_mass - end_mass(engine, mesh.crankshaft),
+        // Nose and flange are in a mesh from elsewhere, as in its body.
+        exact_mass: match mesh.own {
+            None => crank.body_mass - end_mass(engine, mesh.crankshaft),
+            Some(_) => crank.body_mass,
+        },
         material: StressMaterial {
             elastic,
             origin: modulus.map_or(Origin::Assumed, |modulus| modulus.origin),
             yield_strength: given.and_then(|own| own.yield_strength()),
         },
+        own_file: mesh.own.as_ref().map(|own| own.name.clone()),
         options: mesh.options,
+        origins: mesh.origins,
         crank,
     })
 }

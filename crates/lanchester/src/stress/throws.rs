@@ -1,6 +1,7 @@
 //! Torsional stiffness of throws by finite elements.
 
-use crate::stress::request::{StressError, StressMesh, StressStage};
+use crate::stress::mesh::StressMesh;
+use crate::stress::request::{StressError, StressStage};
 use crate::stress::run::{check_crankshaft, sheet};
 use lanchester_flex::FlexError;
 use lanchester_flex::crank_twist::{ThrowTwist, TwistEnd, TwistSpan, throw_twists};
@@ -14,7 +15,7 @@ use lanchester_model::{CrankElementForm, Engine};
 /// As [`crate::static_stress`].
 pub fn throw_stiffnesses(
     engine: &Engine,
-    mesh: StressMesh,
+    mesh: &StressMesh,
     options: SolveOptions,
     watch: &dyn Fn(StressStage),
 ) -> Result<Vec<ThrowTwist>, StressError> {

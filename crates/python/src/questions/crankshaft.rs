@@ -88,12 +88,29 @@ fn read_check(_: &Options<'_>) -> Result<Run, Failure> {
     }))
 }
 
-fn mesh(options: &Options<'_>, fillet_elements: u64) -> Result<StressMesh, Failure> {
-    let size = options.length("size")?.unwrap_or(8e-3);
-    let fillet_elements = options.whole("fillet_elements", 2, 64)?.unwrap_or(fillet_elements) as usize;
-    let crankshaft = options.whole("crankshaft", 0, 100)?.unwrap_or(0) as usize;
-    let options = CrankMeshOptions { size, fillet_elements, ..CrankMeshOptions::default() };
-    Ok(StressMesh { crankshaft, options })
+/// Which mesh is asked for; the engine file has a say in what is not.
+#[derive(Clone, Copy)]
+struct AskedMesh {
+    crankshaft: usize,
+    size: Option<f64>,
+    fillet_elements: Option<usize>,
+}
+
+impl AskedMesh {
+    fn read(options: &Options<'_>) -> Result<AskedMesh, Failure> {
+        Ok(AskedMesh {
+            crankshaft: options.whole("crankshaft", 0, 100)?.unwrap_or(0) as usize,
+            size: options.length("size")?,
+            fillet_elements: options.whole("fillet_elements", 2, 64)?.map(|count| count as usize),
+        })
+    }
+
+    /// `usual`: elements across a fillet where nobody says how many.
+    fn of(self, own: &Prepared, usual: usize) -> Result<StressMesh, Failure> {
+        let usual = CrankMeshOptions { fillet_elements: usual, ..CrankMeshOptions::default() };
+        let task = own.file.tasks.stress.as_ref();
+        own.mesh(StressMesh::of(task, self.crankshaft, self.size, self.fillet_elements, usual))
+    }
 }
 
 fn solve(options: &Options<'_>) -> Result<SolveOptions, Failure> {
@@ -105,16 +122,16 @@ fn solve(options: &Options<'_>) -> Result<SolveOptions, Failure> {
 
 fn support(options: &Options<'_>, usual: CrankSupport) -> Result<CrankSupport, Failure> {
     let words = [
-        ("clamped-ends", Some(CrankSupport::ClampedEnds)),
-        ("journals", Some(CrankSupport::Journals)),
-        ("free", Some(CrankSupport::Free)),
+        ("clamped-ends", Some(&CrankSupport::ClampedEnds)),
+        ("journals", Some(&CrankSupport::Journals)),
+        ("free", Some(&CrankSupport::Free)),
         ("springs", None),
     ];
     let stiffness = options.stiffness("stiffness")?;
     match (options.word("support", &words)?, stiffness) {
         (None, None) => Ok(usual),
-        (Some(Some(support)), None) => Ok(support),
-        (Some(None), Some(stiffness)) => Ok(CrankSupport::Springs { stiffness }),
+        (Some(Some(support)), None) => Ok(support.clone()),
+        (Some(None), Some(stiffness)) => Ok(CrankSupport::even_springs(stiffness)),
         (Some(None), None) => Err(Failure::option(
             "`support=\"springs\"` needs the stiffness of each journal and direction",
             "give stiffness=\"500 kN/mm\"",
@@ -127,16 +144,18 @@ fn support(options: &Options<'_>, usual: CrankSupport) -> Result<CrankSupport, F
 }
 
 fn read_static(options: &Options<'_>) -> Result<Run, Failure> {
+    let mesh = AskedMesh::read(options)?;
     let request = StaticRequest {
-        mesh: mesh(options, 6)?,
         support: support(options, CrankSupport::Journals)?,
         load: options.angle("angle")?.map_or(StressLoad::Extremes, StressLoad::Angle),
         speeds: options.speeds("speed")?,
         gas: options.flag("gas")?.unwrap_or(true),
         solve: solve(options)?,
+        ..StaticRequest::default()
     };
     Ok(Box::new(move |engines, _| {
         let own = &engines[0];
+        let request = StaticRequest { mesh: mesh.of(own, 6)?, ..request.clone() };
         let traces = if request.gas { own.traces()? } else { &[] };
         let found = static_stress(own.engine(), traces, &request, &|_| ()).map_err(Failure::refused)?;
         Ok(Data::new(found, own, Shown { text: |found, _| static_stress_text(found), ..Shown::default() }))
@@ -144,20 +163,23 @@ fn read_static(options: &Options<'_>) -> Result<Run, Failure> {
 }
 
 fn read_modes(options: &Options<'_>) -> Result<Run, Failure> {
+    let mesh = AskedMesh::read(options)?;
     let request = ModesRequest {
-        mesh: mesh(options, 2)?,
         support: support(options, CrankSupport::Free)?,
         count: options.whole("count", 1, 500)?.unwrap_or(10) as usize,
         solve: solve(options)?,
+        ..ModesRequest::default()
     };
     Ok(Box::new(move |engines, _| {
         let own = &engines[0];
+        let request = ModesRequest { mesh: mesh.of(own, 2)?, ..request.clone() };
         let found = crank_modes(own.engine(), &request, &|_| ()).map_err(Failure::refused)?;
         Ok(Data::new(found, own, Shown { text: |found, _| modes_text(found), ..Shown::default() }))
     }))
 }
 
 fn read_fatigue(options: &Options<'_>) -> Result<Run, Failure> {
+    let mesh = AskedMesh::read(options)?;
     let factor = |name: &str| match options.number(name)? {
         Some(value) if value <= 0.0 => Err(Failure::option(
             format_args!("`{name}` needs a number above 0, got {value}"),
@@ -166,7 +188,6 @@ fn read_fatigue(options: &Options<'_>) -> Result<Run, Failure> {
         value => Ok(value.unwrap_or(1.0)),
     };
     let request = FatigueRequest {
-        mesh: mesh(options, 6)?,
         support: support(options, CrankSupport::Journals)?,
         speeds: options.speeds("speed")?,
         gas: options.flag("gas")?.unwrap_or(true),
@@ -177,9 +198,11 @@ fn read_fatigue(options: &Options<'_>) -> Result<Run, Failure> {
         },
         instants: options.whole("instants", 8, 3600)?.unwrap_or(72) as usize,
         solve: solve(options)?,
+        ..FatigueRequest::default()
     };
     Ok(Box::new(move |engines, _| {
         let own = &engines[0];
+        let request = FatigueRequest { mesh: mesh.of(own, 6)?, ..request.clone() };
         let traces = if request.gas { own.traces()? } else { &[] };
         let found = crank_fatigue(own.engine(), traces, &request, &|_| ()).map_err(Failure::refused)?;
         Ok(Data::new(found, own, Shown { text: |found, _| fatigue_text(found), ..Shown::default() }))

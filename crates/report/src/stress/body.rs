@@ -15,14 +15,55 @@ pub struct CrankSheet {
     pub crankshaft: usize,
     /// Its material.
     pub material: StressMaterial,
-    /// How fine it is meshed.
+    /// The file that its mesh comes from; none where it is meshed from its body.
+    pub own_file: Option<String>,
+    /// How fine it is meshed; says nothing of a mesh from a file.
     pub options: CrankMeshOptions,
+    /// Who says so.
+    pub origins: MeshOrigins,
     /// The mesh: its quality, its corners, what is not meshed; the nodes themselves are not serialised.
     pub crank: CrankMesh,
-    /// Mass of the exact body without fillets, nose and flange [kg].
+    /// Mass of the exact body without fillets, nose and flange; of a mesh from a file that of the body with nose and flange, 0 where the engine file has no body [kg].
     pub exact_mass: f64,
     /// Volume that fillets add, by Pappus's rule, times the density [kg].
     pub fillet_mass: f64,
+}
+
+/// Who says how fine a mesh is; a study of convergence refines it on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, schemars::JsonSchema)]
+pub struct MeshOrigins {
+    /// Of the size of the elements.
+    pub size: MeshOrigin,
+    /// Of the elements across a fillet.
+    pub fillet_elements: MeshOrigin,
+}
+
+/// Who says a number of a mesh.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, schemars::JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum MeshOrigin {
+    /// Nobody: the usual number.
+    #[default]
+    Usual,
+    /// The engine file.
+    File,
+    /// The request; the file says nothing.
+    Asked,
+    /// The request, before the engine file, which says something else.
+    AskedBeforeFile,
+}
+
+impl MeshOrigin {
+    /// In words, where the engine file has a say.
+    fn words(self) -> Option<&'static str> {
+        match self {
+            MeshOrigin::Usual | MeshOrigin::Asked => None,
+            MeshOrigin::File => Some("as [crank.mesh] of the engine file says"),
+            MeshOrigin::AskedBeforeFile => {
+                Some("as asked for, before that of [crank.mesh] in the engine file")
+            }
+        }
+    }
 }
 
 /// Elastic constants with their origin, and the yield strength where the file gives one.
@@ -47,23 +88,46 @@ impl CrankSheet {
             .filter(|(count, _)| *count > 0)
             .map(|(count, kind)| format!("{} quadratic {kind}", number::whole(*count as u128)))
             .collect();
+        let fineness = match &self.own_file {
+            Some(file) => format!("from {file}"),
+            None => format!(
+                "elements of {} mm, {} across the 90 deg of a fillet",
+                number::trimmed(1e3 * self.options.size, 4),
+                self.options.fillet_elements
+            ),
+        };
         let mut words = vec![format!(
-            "Mesh: {} nodes, {}; elements of {} mm, {} across the 90 deg of a fillet; smallest scaled Jacobian {:.2}, smallest angle {:.0} deg.",
+            "Mesh: {} nodes, {}; {fineness}; smallest scaled Jacobian {:.2}, smallest angle {:.0} deg.",
             number::whole(quality.nodes as u128),
             kinds.join(", "),
-            number::trimmed(1e3 * self.options.size, 4),
-            self.options.fillet_elements,
             quality.least_jacobian,
             quality.least_angle.to_degrees(),
         )];
+        let origins = [
+            ("size of the elements", self.origins.size.words()),
+            ("elements across a fillet", self.origins.fillet_elements.words()),
+        ];
+        let told: Vec<String> =
+            origins.iter().filter_map(|(what, origin)| Some(format!("{what} {}", (*origin)?))).collect();
+        if !told.is_empty() {
+            words.push(format!("Fineness of the mesh: {}.", told.join("; ")));
+        }
         let exact = self.exact_mass + self.fillet_mass;
-        words.push(format!(
-            "Mass of the mesh {} kg; of the exact body {} kg, of which fillets {} kg (difference {:.1e}).",
-            number::short(quality.mass, 6),
+        let mass = number::short(quality.mass, 6);
+        words.push(match &self.own_file {
+            Some(_) if exact == 0.0 => format!("Mass of the mesh {mass} kg."),
+            Some(_) => format!(
+                "Mass of the mesh {mass} kg; of [crank.body] with nose and flange, without fillets {} kg (difference {:.1} %).",
+                number::short(exact, 6),
+                100.0 * (quality.mass / exact - 1.0),
+            ),
+            None => format!(
+            "Mass of the mesh {mass} kg; of the exact body {} kg, of which fillets {} kg (difference {:.1e}).",
             number::short(exact, 6),
             number::short(self.fillet_mass, 3),
             (quality.mass / exact - 1.0).abs(),
-        ));
+        )
+        });
         let elastic = &self.material.elastic;
         let mut material = format!(
             "Material: Young's modulus {} GPa ({}), Poisson's ratio {}, density {} kg/m3",

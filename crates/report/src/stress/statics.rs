@@ -117,8 +117,9 @@ impl StaticStress {
                 number::short(1e-6 * own.found.band, 2)
             ))
         });
+        let what = if self.sheet.own_file.is_some() { "Largest stress" } else { "Largest fillet stress" };
         format!(
-            "Largest fillet stress {} MPa (von Mises) at {}{safety}: {} (radial and tangential: {}).",
+            "{what} {} MPa (von Mises) at {}{safety}: {} (radial and tangential: {}).",
             studied.unwrap_or_else(|| number::short(1e-6 * stress.von_mises, 4)),
             peak.name,
             case.name,
@@ -183,7 +184,11 @@ impl StaticStress {
         let rows = (0..count).map(|k| {
             let corner = &self.sheet.crank.corners[k];
             let name = Cell::text(corner.name.clone());
-            let radius = Cell::number(1e3 * corner.radius, 3);
+            // Sets of a mesh from elsewhere have no radius of their own.
+            let radius = match &self.sheet.own_file {
+                Some(_) => Cell::Empty,
+                None => Cell::number(1e3 * corner.radius, 3),
+            };
             let found = most(k).and_then(|(index, case)| Some((index, case.result.peaks[k].stress?)));
             let Some((index, stress)) = found else {
                 let name = Cell::text(format!("{} (sharp: stress unbounded)", corner.name));

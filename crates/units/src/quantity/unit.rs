@@ -192,7 +192,7 @@ const STANDARD_GRAVITY: f64 = 9.806_65;
 /// 0 degrees Celsius [K].
 const ICE_POINT: f64 = 273.15;
 
-pub(super) static UNITS: [Unit; 107] = {
+pub(super) static UNITS: [Unit; 110] = {
     use Dimension::*;
     [
         unit(Length, "mm", -3, 1.0),
@@ -273,6 +273,9 @@ pub(super) static UNITS: [Unit; 107] = {
         unit(Stiffness, "N/mm", 3, 1.0),
         unit(Stiffness, "N/m", 0, 1.0),
         unit(Stiffness, "kN/mm", 6, 1.0),
+        unit(Stiffness, "N/um", 6, 1.0),
+        unit(Stiffness, "MN/m", 6, 1.0),
+        unit(Stiffness, "GN/m", 9, 1.0),
         unit(Stiffness, "lbf/in", 0, POUND * STANDARD_GRAVITY / INCH),
         unit(Damping, "N s/m", 0, 1.0),
         unit(Damping, "N s/mm", 3, 1.0),

@@ -20,13 +20,13 @@ use std::time::Instant;
 
 pub fn cycle(arguments: &CycleArguments, colour: bool) -> Result<u8, Failure> {
     let own = &arguments.mesh;
-    let request = cycle_request(arguments)?;
     let least_film = match &arguments.least_film {
         Some(text) => Some(option::length(text, "--least-film")?),
         None => None,
     };
     let form = arguments.save.as_deref().map(table_file::form).transpose()?;
     let opened = open(&own.file, colour)?;
+    let request = cycle_request(arguments, &opened.file)?;
     let engine = &opened.file.engine;
     let traces = if request.gas { trace_files(engine, &own.file)? } else { Vec::new() };
     let goes_on = GoesOn::until_interrupted();

@@ -10,10 +10,10 @@ use crate::figures::write_figures;
 use crate::files::{print, read_bytes, tell, write_result};
 use crate::format::Format;
 use crate::options::stress::{
-    ExportArguments, FatigueArguments, LoadArguments, MeshArguments, ModesArguments, ReduceArguments,
+    ExportArguments, FatigueArguments, MeshArguments, ModesArguments, ReduceArguments,
     RuleArguments, SolveArguments, StaticArguments, StressArguments, StressCommand,
 };
-use crate::requests::stress::{fatigue_request, loads, memory, mesh, rule_request, solve_options, support};
+use crate::requests::stress::{fatigue_request, memory, mesh, rule_request, solve_options, static_request, support};
 use crate::trace_files::trace_files;
 use lanchester::flex::crank_case::CrankSupport;
 use lanchester::flex::reduction::ReductionOptions;
@@ -46,29 +46,25 @@ pub fn run(arguments: &StressArguments, colour: bool) -> Result<u8, Failure> {
 fn solved(
     opened: &Opened,
     own: &MeshArguments,
-    load: &LoadArguments,
-    held: CrankSupport,
+    request: &StaticRequest,
     converge: bool,
 ) -> Result<StaticStress, Failure> {
-    let gas = !load.inertia_only;
-    let (load, speeds) = loads(load)?;
-    let request =
-        StaticRequest { mesh: mesh(own, 6)?, support: held, load, speeds, gas, solve: solve_options(own)? };
-    let traces = if request.gas { trace_files(&opened.file.engine, &own.file)? } else { Vec::new() };
     let engine = &opened.file.engine;
+    let traces = if request.gas { trace_files(engine, &own.file)? } else { Vec::new() };
     let found = match converge {
-        true => converged_stress(engine, &traces, &request, &say),
-        false => static_stress(engine, &traces, &request, &say),
+        true => converged_stress(engine, &traces, request, &say),
+        false => static_stress(engine, &traces, request, &say),
     };
     found.map_err(Failure::refused)
 }
 
 fn statics(arguments: &StaticArguments, colour: bool) -> Result<u8, Failure> {
-    let held = support(&arguments.support, CrankSupport::Journals)?;
-    let opened = open(&arguments.mesh.file, colour)?;
-    let found = solved(&opened, &arguments.mesh, &arguments.load, held, arguments.converge)?;
+    let own = &arguments.mesh;
+    let opened = open(&own.file, colour)?;
+    let request = static_request(&opened.file, own, &arguments.load, &arguments.support)?;
+    let found = solved(&opened, own, &request, arguments.converge)?;
     if let Some(folder) = &arguments.figures {
-        write_figures(folder, &arguments.mesh.file, &found.figures())?;
+        write_figures(folder, &own.file, &found.figures())?;
     }
     print(&match arguments.format {
         Format::Text => static_stress_text(&found),
@@ -86,7 +82,7 @@ fn found_modes(
     converge: bool,
 ) -> Result<CrankModes, Failure> {
     let request = ModesRequest {
-        mesh: mesh(own, 2)?,
+        mesh: mesh(own, &opened.file, 2)?,
         support: held,
         count: count as usize,
         solve: solve_options(own)?,
@@ -135,10 +131,10 @@ fn export(arguments: &ExportArguments, colour: bool) -> Result<u8, Failure> {
     let written = match arguments.modes {
         Some(count) => {
             let held = support(&arguments.support, CrankSupport::Free)?;
-            let found = found_modes(&opened, own, held, count, false)?;
+            let found = found_modes(&opened, own, held.clone(), count, false)?;
             match form {
                 Form::Deck => {
-                    modes_deck(&found, held, count as usize).map_err(Failure::refused)?.into_bytes()
+                    modes_deck(&found, &held, count as usize).map_err(Failure::refused)?.into_bytes()
                 }
                 Form::Vtu => modes_vtu(&found),
                 Form::Glb => modes_glb(&found, arguments.deformation).map_err(Failure::refused)?,
@@ -151,12 +147,12 @@ fn export(arguments: &ExportArguments, colour: bool) -> Result<u8, Failure> {
             }
         }
         None => {
-            let held = support(&arguments.support, CrankSupport::Journals)?;
-            let found = solved(&opened, own, &arguments.load, held, false)?;
+            let request = static_request(&opened.file, own, &arguments.load, &arguments.support)?;
+            let found = solved(&opened, own, &request, false)?;
             let case = found.worst().ok_or_else(|| Failure::own("a solution has a case"))?;
             tell(format_args!("writing the case: {}", case.name));
             match form {
-                Form::Deck => case_deck(&found, case, held).map_err(Failure::refused)?.into_bytes(),
+                Form::Deck => case_deck(&found, case, &request.support).map_err(Failure::refused)?.into_bytes(),
                 Form::Vtu => case_vtu(&found, case),
                 Form::Glb => case_glb(&found, case, arguments.deformation).map_err(Failure::refused)?,
                 Form::Stl => {
@@ -177,7 +173,7 @@ fn reduce(arguments: &ReduceArguments, colour: bool) -> Result<u8, Failure> {
     }
     let options = ReductionOptions { modes: arguments.modes as usize, memory: memory(&own.memory)? };
     let opened = open(&own.file, colour)?;
-    let found = reduced_crank(&opened.file.engine, mesh(own, 2)?, options, &say).map_err(Failure::refused)?;
+    let found = reduced_crank(&opened.file.engine, &mesh(own, &opened.file, 2)?, options, &say).map_err(Failure::refused)?;
     if let Some(path) = &arguments.output {
         write_result(path, &own.file, &found.model.to_npz())?;
         tell(format_args!("{} written", lanchester_files::shown(path)));
@@ -192,8 +188,8 @@ fn reduce(arguments: &ReduceArguments, colour: bool) -> Result<u8, Failure> {
 
 fn fatigue(arguments: &FatigueArguments, colour: bool) -> Result<u8, Failure> {
     let own = &arguments.mesh;
-    let request = fatigue_request(arguments)?;
     let opened = open(&own.file, colour)?;
+    let request = fatigue_request(arguments, &opened.file)?;
     let engine = &opened.file.engine;
     let traces = if request.gas { trace_files(engine, &own.file)? } else { Vec::new() };
     let found = crank_fatigue(engine, &traces, &request, &say).map_err(Failure::refused)?;

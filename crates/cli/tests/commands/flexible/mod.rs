@@ -141,6 +141,153 @@ fn rings_say_how_they_touch() {
     assert!((load + reaction).abs() < 0.01, "{load} {reaction}");
 }
 
+/// Springs far softer than the crankshaft take F^2/(2 k) of a force along each of two directions.
+#[test]
+fn springs_have_a_stiffness_for_each_journal_and_direction() {
+    let folder = engine("stress-springs", str::to_owned);
+    let energy = |angle: &str| {
+        let rest = ["static", "--force", "1: -10 kN", "--support", "springs", "--stiffness"];
+        let stiffness = "1 kN/mm : 4 kN/mm, 1 kN/mm : 4 kN/mm";
+        let rest = [&rest[..], &[stiffness, "--angle", angle, "--format", "json"]].concat();
+        let json = output_json(&folder, 0, &words(&rest));
+        let support = json["support"].as_str().unwrap();
+        assert!(support.contains("1 1 and 4, 2 1 and 4"), "{support}");
+        number(&json, "/cases/0/energy")
+    };
+    // The force is along the throw, which is along x of the block at 0 deg and along y at 90 deg.
+    for (angle, stiffness) in [("0 deg", 2e6), ("90 deg", 8e6)] {
+        let ratio = energy(angle) / (1e4 * 1e4 / (2.0 * stiffness));
+        assert!((1.0..1.05).contains(&ratio), "{angle}: {ratio}");
+    }
+}
+
+/// Cases of the file, and the fineness that it asks for.
+const CASES: &str = r#"
+[crank.mesh]
+size = "20 mm"
+fillet_elements = 2
+[[stress.case]]
+name = "unit radial"
+pin = 1
+radial = "-10 kN"
+support = "clamped-ends"
+[[stress.case]]
+name = "In springs"
+pin = 1
+radial = "-10 kN"
+tangential = "2 kN"
+speed = "3000 rpm"
+angle = "30 deg"
+support = "springs"
+stiffness = [{ x = "5 N/um", y = "8 N/um" }]
+[[stress.case]]
+name = "at 7 deg"
+angle = "7 deg"
+speed = "4000 rpm"
+"#;
+
+#[test]
+fn static_cases_of_the_file_are_solved_by_name() {
+    let folder = engine("stress-case", |text| text.replace("[piston]", &format!("{CASES}[piston]")));
+    let json = |rest: &[&str]| {
+        let all = [&["stress", "static", "engine.toml"], rest, &["--format", "json"]].concat();
+        output_json(&folder, 0, &all)
+    };
+    // The same by options.
+    let radial = ["--force", "1: -10 kN", "--support", "clamped-ends"];
+    let springs =
+        ["--force", "1: -10 kN, 2 kN", "--speed", "3000 rpm", "--angle", "30 deg", "--support", "springs"];
+    let springs = [&springs[..], &["--stiffness", "5 kN/mm : 8 kN/mm"]].concat();
+    let angle = ["--angle", "7 deg", "--speed", "4000 rpm"];
+    for (name, options) in [("UNIT radial", &radial[..]), ("In springs", &springs), ("at 7 deg", &angle)] {
+        let (case, own) = (json(&["--case", name]), json(options));
+        for key in ["energy", "result/largest_displacement", "result/peaks/1/stress/von_mises"] {
+            let of = |json: &serde_json::Value| number(json, &format!("/cases/0/{key}"));
+            assert_eq!(of(&case), of(&own), "{name}: {key}");
+        }
+        assert_eq!(case["support"], own["support"], "{name}");
+        let told = case["cases"][0]["name"].as_str().unwrap();
+        assert!(told.to_lowercase().starts_with(&format!("{}: ", name.to_lowercase())), "{told}");
+    }
+    // Who says how fine the mesh is.
+    let text =
+        output(&folder, 0, &["stress", "static", "engine.toml", "--case", "unit radial"]).replace('\n', " ");
+    assert!(text.contains("size of the elements as [crank.mesh] of the engine file says"), "{text}");
+    let asked = ["stress", "static", "engine.toml", "--case", "unit radial", "--size", "25 mm"];
+    let text = output(&folder, 0, &asked).replace('\n', " ");
+    assert!(text.contains("size of the elements as asked for, before that of [crank.mesh]"), "{text}");
+    let fine = json(&["--case", "unit radial", "--fillet-elements", "4"]);
+    assert_eq!(fine["sheet"]["origins"]["fillet_elements"], "asked-before-file");
+    assert_eq!(number(&fine, "/sheet/options/fillet_elements"), 4.0);
+    // A deck of the case has its support.
+    output(&folder, 0, &["stress", "export", "engine.toml", "--case", "unit radial", "--output", "case.inp"]);
+    let solved = output_json(&folder, 0, &["stress", "solve", "case.inp", "--format", "json"]);
+    let ratio =
+        number(&solved, "/steps/0/energy") / number(&json(&["--case", "unit radial"]), "/cases/0/energy");
+    assert!((ratio - 1.0).abs() < 1e-6, "{ratio}");
+    // The file as the program shows it has them.
+    let shown = output(&folder, 0, &["show", "engine.toml"]);
+    assert!(shown.contains("[[stress.case]]") && shown.contains("[crank.mesh]"), "{shown}");
+    for (rest, wanted) in [
+        (&["--case", "radial"][..], "the file has \"unit radial\", \"In springs\", \"at 7 deg\""),
+        (&["--case", "unit radial", "--angle", "7 deg"], "cannot be used with"),
+    ] {
+        let said = message(&folder, 2, &[&["stress", "static", "engine.toml"], rest].concat());
+        assert!(said.contains(wanted), "{rest:?}: {said}");
+    }
+    let bare = engine("stress-no-case", str::to_owned);
+    let said = message(&bare, 2, &words(&["static", "--case", "unit radial"]));
+    assert!(said.contains("the file has none") && said.contains("[[stress.case]]"), "{said}");
+}
+
+#[test]
+fn a_mesh_of_its_own_takes_the_place_of_the_body() {
+    let folder = engine("stress-own-mesh", |text| {
+        text.replace(
+            "[piston]",
+            &format!(
+                "{}[piston]",
+                CASES.replace("size = \"20 mm\"\nfillet_elements = 2", "file = \"crank.inp\"")
+            ),
+        )
+    });
+    let case = ["stress", "static", "engine.toml", "--case", "unit radial"];
+    let missing = message(&folder, 2, &case);
+    assert!(missing.contains("crank.inp") && missing.contains("[crank.mesh] names it"), "{missing}");
+    // The program's own mesh stands for one from elsewhere: a size that is asked for meshes the body.
+    let mesh =
+        [&["stress", "export", "engine.toml"][..], &COARSE, &["--modes", "1", "--output", "crank.inp"]]
+            .concat();
+    output(&folder, 0, &mesh);
+    let own = output_json(&folder, 0, &[&case[..], &["--format", "json"]].concat());
+    let body = output_json(&folder, 0, &[&case[..], &COARSE, &["--format", "json"]].concat());
+    let ratio = number(&own, "/cases/0/energy") / number(&body, "/cases/0/energy");
+    assert!((ratio - 1.0).abs() < 1e-8, "{ratio}");
+    assert_eq!(own["sheet"]["own_file"], "crank.inp");
+    assert!(body["sheet"]["own_file"].is_null());
+    assert_eq!(body["sheet"]["origins"]["size"], "asked-before-file");
+    let text = output(&folder, 0, &case).replace('\n', " ");
+    for part in [
+        "from crank.inp",
+        "of [crank.body] with nose and flange",
+        "Largest stress",
+        "surface outside of the sets",
+    ] {
+        assert!(text.contains(part), "{part}: {text}");
+    }
+    let modes = output_json(&folder, 0, &["stress", "modes", "engine.toml", "-n", "2", "--format", "json"]);
+    assert!(number(&modes, "/modes/modes/0/frequency") > 100.0);
+    let converge = message(&folder, 2, &[&case[..], &["--converge"]].concat());
+    assert!(converge.contains("meshes of three sizes") && converge.contains("hint:"), "{converge}");
+    let text = fs::read_to_string(folder.join("crank.inp")).unwrap();
+    fs::write(folder.join("crank.inp"), text.replace("NSET=PIN_1", "NSET=PIN")).unwrap();
+    let said = message(&folder, 2, &case);
+    assert!(said.contains("crank.inp: the mesh does not fit the engine: the set PIN_1 is missing"), "{said}");
+    fs::write(folder.join("crank.inp"), text.replace("*STEP", "*STEP\n*DYNAMIC")).unwrap();
+    let said = message(&folder, 2, &case);
+    assert!(said.contains("crank.inp: line ") && said.contains("unknown card *DYNAMIC"), "{said}");
+}
+
 #[test]
 fn three_meshes_give_a_band() {
     let folder = engine("stress-converge", str::to_owned);
@@ -216,6 +363,13 @@ fn what_cannot_be_computed_is_refused() {
         (&["static", "--memory", "1 MB"], "allow more memory"),
         (&["static", "--memory", "much"], "--memory needs a size"),
         (&["static", "--stiffness", "1 kN/mm"], "--support springs"),
+        (&["static", "--support", "springs", "--stiffness", "1 kN/mm : 1 mm"], "--stiffness"),
+        (
+            &["static", "--support", "springs", "--stiffness", "1 kN/mm, 2 kN/mm, 3 kN/mm"],
+            "1 for all journals, or 2",
+        ),
+        (&["static", "--force", "1: 1 kN", "--angle", "7 deg"], "--angle beside --force has no effect"),
+        (&["fatigue", "--support", "springs", "--stiffness", "1 kN/mm : 2 kN/mm"], "at every crank angle"),
         (&["modes", "--fillet-elements", "3"], "an even number"),
         (&["export", "--output", "case.stp"], ".inp, .vtu, .glb or .stl"),
         (&["export", "--output", "case.inp", "--deformation", "10"], ".glb and .stl"),

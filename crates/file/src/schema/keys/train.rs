@@ -5,6 +5,7 @@ use super::super::Need::{Optional, Required};
 use super::super::{Key, Kind, Table};
 use super::crank_body::{CRANK_BODY, CRANK_MATERIAL};
 use super::entry::{MOST_CRANKSHAFTS, MOST_CYLINDERS, MOST_THROWS, key, quantity};
+use super::stress::CRANK_MESH;
 use lanchester_units::Dimension::{Angle, Inertia, Length, Mass, Unbalance};
 
 pub(super) static CRANK: Table = Table {
@@ -32,6 +33,13 @@ pub(super) static CRANK: Table = Table {
             Optional,
             "What the crankshafts are made of: elasticity, strength, damping.",
             "{ preset = \"42CrMo4 quenched and tempered\" }",
+        ),
+        key(
+            "mesh",
+            Kind::Table(&CRANK_MESH),
+            Optional,
+            "How the crankshafts are meshed for stress and natural modes.",
+            "{ size = \"8 mm\" }",
         ),
     ],
 };

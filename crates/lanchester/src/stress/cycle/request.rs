@@ -1,6 +1,6 @@
 //! What is asked of the flexible crankshaft over the cycle.
 
-use crate::stress::request::StressMesh;
+use crate::stress::mesh::StressMesh;
 use lanchester_flex::train::{BasisOptions, CycleOptions};
 use lanchester_report::{CycleLaw, CycleSpeed};
 
