@@ -10,6 +10,7 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 mod law;
+mod period;
 mod rule;
 mod signal;
 
@@ -48,6 +49,11 @@ pub(crate) struct Checker<'a> {
 
 /// Checks a description; the graph may be wrong where a mistake was noted.
 pub(crate) fn check(description: &Description, mistakes: &mut Mistakes) -> Option<Graph> {
+    if description.elements.is_empty() {
+        let hint = "for example [elements] with mass = { kind = \"I\", inertia = \"2 kg\" }";
+        mistakes.push("E1709", &(0..0), "the graph has no elements", hint);
+        return None;
+    }
     if description.elements.len().max(description.bonds.len()).max(description.signals.len()) > MOST {
         mistakes.push(
             "E1715",
@@ -453,16 +459,22 @@ impl Checker<'_> {
         }
     }
 
-    /// Duration, samples and tolerance.
+    /// Duration, period, samples and tolerance.
     fn asked(&mut self) -> Asked {
-        let mut asked = Asked { duration: 1.0, samples: 200, tolerance: 1e-9 };
+        let description = self.description;
+        let periodic = self.is_periodic();
+        let period = self.period(periodic);
+        let mut asked = Asked { duration: 1.0, period, periodic, samples: 200, tolerance: 1e-9 };
         self.numbers_only = true;
-        for (key, text) in &self.description.simulation {
+        for (key, text) in &description.simulation {
+            if (key.text == "duration" && periodic) || key.text == "period" {
+                continue;
+            }
             let needed = match key.text.as_str() {
                 "duration" => Unit::SECOND,
                 "samples" | "tolerance" => Unit::NONE,
                 other => {
-                    let hint = "it has duration, samples and tolerance";
+                    let hint = "it has duration, period, samples and tolerance";
                     self.mistakes.push("E1702", &key.span, format!("[simulation] has no `{other}`"), hint);
                     continue;
                 }

@@ -33,6 +33,7 @@ mod joint_start;
 mod joints;
 mod numbers;
 mod request;
+mod rest;
 mod rotor;
 mod torques;
 mod words;
@@ -52,6 +53,7 @@ use joint_start::JointStart;
 use lanchester_model::Engine;
 use numbers::Numbers;
 use std::collections::HashMap;
+use std::f64::consts::TAU;
 use words::{number, quantity};
 
 /// The graph of an engine.
@@ -59,19 +61,22 @@ use words::{number, quantity};
 /// # Errors
 /// [`EngineGraphError`] where the engine lacks what the graph needs.
 pub fn engine_graph(engine: &Engine, request: &EngineRequest) -> Result<Description, EngineGraphError> {
-    let still = EngineRequest { start: EngineStart::default(), ..request.clone() };
+    let still = EngineRequest { start: EngineStart::default(), equilibrium: false, ..request.clone() };
     let request = if request.block == EngineBlock::Held { &still } else { request };
-    let numbers = Numbers::new(engine, request)?;
     let mut builder = Builder {
         engine,
         request,
-        numbers,
+        numbers: Numbers::new(engine, request)?,
         frame: Frame::new(request.block),
         start: JointStart::default(),
         changing: Changing::default(),
         graph: Description::new(&engine.name),
     };
     builder.check_mounts()?;
+    if request.equilibrium {
+        let start = builder.at_rest();
+        return engine_graph(engine, &EngineRequest { start, equilibrium: false, ..request.clone() });
+    }
     if let EngineJoints::Compliant(joints) = &request.joints {
         builder.check_joints(joints)?;
         let ideal = EngineRequest { joints: EngineJoints::Ideal, ..request.clone() };
@@ -333,11 +338,18 @@ impl Builder<'_> {
     }
 
     fn simulation(&mut self) {
-        for (key, value) in [
-            ("duration", quantity(self.request.duration, "s")),
-            ("samples", self.request.samples.to_string()),
-            ("tolerance", number(self.request.tolerance)),
-        ] {
+        if self.request.periodic {
+            let turned = TAU * numbers::period(self.engine, &self.request.torque) as f64;
+            let period = format!("{} of theta", quantity(turned, "rad"));
+            self.graph.simulation.push(("duration".into(), "periodic".into()));
+            self.graph.simulation.push(("period".into(), period.as_str().into()));
+        } else {
+            let duration = quantity(self.request.duration, "s");
+            self.graph.simulation.push(("duration".into(), duration.as_str().into()));
+        }
+        for (key, value) in
+            [("samples", self.request.samples.to_string()), ("tolerance", number(self.request.tolerance))]
+        {
             self.graph.simulation.push((key.into(), value.as_str().into()));
         }
     }

@@ -11,6 +11,9 @@ use std::collections::HashMap;
 /// Unknowns beyond this number are not eliminated by symbols but solved at every evaluation.
 const MOST_ELIMINATED: usize = 4;
 
+/// Difference of two starts of one store that counts as rounding, as a share.
+const SAME_START: f64 = 1e-6;
+
 /// A state: momentum or displacement of a store, or a signal.
 #[derive(Debug, Clone)]
 pub(crate) struct State {
@@ -59,6 +62,8 @@ pub struct Equations {
     pub(crate) signals: Vec<Id>,
     /// What happens where a quantity rises through zero: the quantity, states and their new values.
     pub(crate) rules: Vec<(Id, Vec<(u32, Id)>)>,
+    /// What ratios of transformers and gyrators are divided by: element, divisor.
+    pub(crate) divisors: Vec<(usize, Id)>,
     /// Mass matrix and right-hand side, where stores follow: M x' = f.
     pub(crate) mass: Option<(Vec<Vec<Id>>, Vec<Id>)>,
 }
@@ -106,10 +111,12 @@ pub fn equations(graph: &Graph) -> Result<Equations, Vec<Diagnostic>> {
     let mut signals: Vec<Id> =
         (0..graph.signals.len() as u32).map(|signal| resolver.resolve(Var::Signal(signal))).collect();
     let mut rules = resolver.rules();
+    let mut divisors = resolver.divisors();
     // Linear loops first: a store may follow through one.
     let mut outputs: Vec<&mut Id> = states.iter_mut().map(|state| &mut state.rate).collect();
     outputs.extend(efforts.iter_mut().chain(&mut flows).chain(&mut signals));
     outputs.extend(of_rules(&mut rules));
+    outputs.extend(divisors.iter_mut().map(|(_, divisor)| divisor));
     resolver.eliminate(&mut outputs, true);
     drop(outputs);
     resolver.follow(&states);
@@ -117,14 +124,16 @@ pub fn equations(graph: &Graph) -> Result<Equations, Vec<Diagnostic>> {
     let mut outputs: Vec<&mut Id> = states.iter_mut().map(|state| &mut state.rate).collect();
     outputs.extend(efforts.iter_mut().chain(&mut flows).chain(&mut signals));
     outputs.extend(of_rules(&mut rules));
+    outputs.extend(divisors.iter_mut().map(|(_, divisor)| divisor));
     resolver.eliminate(&mut outputs, false);
+    resolver.starts_of_followers(&states);
     let Resolver { pool, unknowns, mistakes, .. } = resolver;
     if mistakes.any() {
         return Err(mistakes.into_diagnostics(&graph.source));
     }
     let mut graph = graph.clone();
     graph.pool = pool;
-    Ok(Equations { graph, causality, states, unknowns, efforts, flows, signals, rules, mass })
+    Ok(Equations { graph, causality, states, unknowns, efforts, flows, signals, rules, divisors, mass })
 }
 
 /// All expressions of events.
@@ -135,6 +144,57 @@ fn of_rules(rules: &mut [(Id, Vec<(u32, Id)>)]) -> impl Iterator<Item = &mut Id>
 }
 
 impl Resolver<'_> {
+    /// What the ratios of transformers and gyrators are divided by.
+    fn divisors(&mut self) -> Vec<(usize, Id)> {
+        let graph = self.graph;
+        let mut found = Vec::new();
+        for (index, element) in graph.elements.iter().enumerate() {
+            let ratios: Vec<Id> = match &element.law {
+                Law::Ratio(ratio) => vec![*ratio],
+                Law::Matrix(rows) => rows.iter().flatten().copied().collect(),
+                _ => continue,
+            };
+            for ratio in ratios {
+                let ratio = self.expand(ratio);
+                for divisor in self.pool.divisors(ratio) {
+                    if !found.contains(&(index, divisor)) {
+                        found.push((index, divisor));
+                    }
+                }
+            }
+        }
+        found
+    }
+
+    /// Notes stores that follow and are given another start than that of what they follow.
+    fn starts_of_followers(&mut self, states: &[State]) {
+        let graph = self.graph;
+        for unknown in &self.unknowns {
+            let What::Following(held) = unknown.what else { continue };
+            let element = &graph.elements[graph.bonds[unknown.bond].to];
+            let Law::Store(ports) = &element.law else { continue };
+            let port = element.ports.iter().position(|bond| *bond == unknown.bond).unwrap_or(0);
+            let [displacement, momentum] = ports[port].start;
+            let given = if element.kind == Kind::C { displacement } else { momentum };
+            let found = self.pool.evaluate(held, &|var| match var {
+                Var::State(state) => states[state as usize].start,
+                Var::Parameter(index) => graph.parameters[index as usize].value,
+                Var::Time => 0.0,
+                _ => f64::NAN,
+            });
+            if given != 0.0 && (given - found).abs() > SAME_START * given.abs().max(found.abs()) {
+                let name = &element.name;
+                let unit = graph.bonds[unknown.bond].domain.unit_names()
+                    [if element.kind == Kind::C { 2 } else { 3 }];
+                let message = format!(
+                    "`{name}` follows other stores, which start it with {found} {unit}, but is given {given} {unit}"
+                );
+                let hint = "take its start out, change theirs, or put a resistor between";
+                self.mistakes.push("E1714", &element.span, message, hint);
+            }
+        }
+    }
+
     /// Events by states.
     fn rules(&mut self) -> Vec<(Id, Vec<(u32, Id)>)> {
         let graph = self.graph;

@@ -4,6 +4,7 @@
 //! subexpressions are found for free.
 
 mod derivative;
+mod hazard;
 mod parse;
 mod print;
 

@@ -28,10 +28,23 @@ pub struct Graph {
 pub struct Asked {
     /// Duration [s].
     pub duration: f64,
+    /// The period of its periodic motion.
+    pub period: Option<Period>,
+    /// Whether that motion is looked for instead of a run over the duration.
+    pub periodic: bool,
     /// Samples over it.
     pub samples: usize,
     /// Relative tolerance.
     pub tolerance: f64,
+}
+
+/// What ends a period: a time, or the advance of a state.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Period {
+    /// The state that advances; `None`: the time does.
+    pub(crate) of: Option<Var>,
+    /// By how much, SI; 0: the state comes back the same way.
+    pub(crate) advance: f64,
 }
 
 #[derive(Debug, Clone)]

@@ -50,7 +50,7 @@ pub use engine::{
 };
 pub use equations::{Equations, equations};
 pub use file::{is_graph_file, used_graphs};
-pub use graph::{Asked, Graph, Kind};
+pub use graph::{Asked, Graph, Kind, Period};
 pub use linear::{Linear, NotLinear, Pole, Transfer};
 pub use mistake::diagnostic_codes;
 pub use output::draw::{
@@ -64,5 +64,6 @@ pub use output::text::{
 };
 pub use output::write::graph_file;
 pub use run::audit::{Audit, BondEnergy, ElementEnergy, Residual};
+pub use run::motion::{PeriodicEnd, PeriodicMotion};
 pub use run::simulate::{Event, Method, Simulation, SimulationRequest};
 pub use unit::{Unit, duration};

@@ -78,14 +78,17 @@ pub fn diagnostic_codes() -> &'static [(&'static str, &'static str)] {
         ("E1706", "unknown name in an expression"),
         ("E1707", "a bond that names no element or port"),
         ("E1708", "a port that is bonded twice or never, or against the arrow that its element needs"),
-        ("E1709", "an element without its law, or with two"),
+        (
+            "E1709",
+            "an element without its law, or with two; a graph without elements; a periodic motion without period",
+        ),
         ("E1710", "a junction that joins different domains, or has none"),
         ("E1711", "signals or parameters that need each other in a circle"),
         ("E1712", "an inertia, capacitance or resistance that is not positive"),
         ("E1713", "a conflict of causality"),
         (
             "E1714",
-            "an algebraic loop or a following store that stays singular, or a following store that an event sets",
+            "an algebraic loop or a following store that stays singular, or a following store that an event sets or that starts otherwise than what it follows",
         ),
         ("E1715", "too much: elements, bonds or brackets"),
     ]

@@ -4,5 +4,8 @@ pub(crate) mod audit;
 mod compiled;
 mod following;
 mod held;
+pub(crate) mod motion;
+mod periodic;
+mod returning;
 pub(crate) mod simulate;
 mod tape;

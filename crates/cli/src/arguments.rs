@@ -247,6 +247,7 @@ pub enum Command {
         after_help = "Examples:\n  lanchester bondgraph slider-crank.toml\n  lanchester bondgraph equations slider-crank.toml --notation latex\n  \
                             lanchester bondgraph linear dc-motor.toml\n  lanchester bondgraph simulate dc-motor.toml --for '2 s' --format csv > motor.csv\n  \
                             lanchester bondgraph simulate three-cylinder.toml --gas-states --figures figures\n  \
+                            lanchester bondgraph simulate three-cylinder.toml --until periodic\n  \
                             lanchester bondgraph audit slider-crank.toml\n  lanchester bondgraph draw dc-motor.toml > motor.svg\n  \
                             lanchester bondgraph export dc-motor.toml --to modelica > motor.mo\n\n\
                             Exit status 1: a simulation ended before its duration."

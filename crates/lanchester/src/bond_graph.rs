@@ -149,6 +149,10 @@ pub fn engine_bond_graph(
         Some(RunLength::Revolutions(turns)) => turns * TAU / reference,
         Some(RunLength::Periodic) | None => request.revolutions * TAU / reference,
     };
+    found.periodic = input.duration == Some(RunLength::Periodic);
+    if found.periodic {
+        found.duration = 2.0 * TAU / reference;
+    }
     found.start_angle = input.start_angle.unwrap_or(0.0);
     found.tolerance = input.tolerance.unwrap_or(found.tolerance);
     if let Some(step) = input.step {
@@ -209,6 +213,7 @@ pub fn engine_bond_graph(
     found.profile = profile;
     found.against_ground = input.imposed_against == Some(ImposedAgainst::Ground);
     found.block = block;
+    found.equilibrium = input.start_block != Some(StartOfBlock::AsDrawn);
     found.mounts = engine.mounts.iter().any(|mount| mount.spring.is_some());
     found.gravity = if request.gravity { input.gravity.unwrap_or(STANDARD_GRAVITY) } else { 0.0 };
     found.crankshaft_inertia = crankshaft_inertia;
@@ -276,6 +281,7 @@ fn left_out(
     request: &BondGraphRequest,
 ) -> Vec<&'static str> {
     let moves = found.block != EngineBlock::Fixed;
+    let on_mounts = found.mounts && !matches!(found.block, EngineBlock::Fixed | EngineBlock::Held);
     let has_gas = found.gas_states.is_some() || !found.pressures.is_empty();
     let imposed = found.drive == EngineDrive::Imposed;
     let driveline_torque = engine.block.as_ref().is_some_and(|block| block.driveline_torque != [0.0; 3]);
@@ -291,13 +297,9 @@ fn left_out(
             "the clutch of [[simulation.event]] without [[driveline]]",
             input.driveline.is_empty() && does(|a| matches!(a, Action::ClutchOpen)),
         ),
-        ("`duration = \"periodic\"`", input.duration == Some(RunLength::Periodic)),
         ("`imposed_against`", input.imposed_against.is_some() && !(imposed && moves)),
         ("`imposed`", !input.imposed.is_empty() && (!imposed || request.speed.is_some())),
-        (
-            "`block = \"equilibrium\"` of `start`",
-            moves && input.start_block == Some(StartOfBlock::Equilibrium),
-        ),
+        ("`block` of `start`", input.start_block.is_some() && !on_mounts),
         (
             "`gas = \"states\"` without [gas] that acts",
             request.gas && input.gas_states && found.gas_states.is_none(),

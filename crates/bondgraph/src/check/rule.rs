@@ -4,6 +4,7 @@ use super::Checker;
 use crate::description::Text;
 use crate::expression::{Node, Scope, Var, parse};
 use crate::graph::Rule;
+use crate::unit::Unit;
 
 impl Checker<'_> {
     /// All `[[event]]`.
@@ -23,20 +24,15 @@ impl Checker<'_> {
 
     /// A state and its new value.
     fn setting(&mut self, state: &Text, value: &Text) -> Option<(Var, crate::expression::Id)> {
-        let found = self.name(&state.text);
-        let var = found.as_ref().ok().and_then(|parsed| match self.pool.node(parsed.id) {
-            Node::Var(Var::Signal(index)) => self.signals[index as usize].start.map(|_| Var::Signal(index)),
-            Node::Var(var @ (Var::Momentum(_) | Var::Displacement(_))) => Some(var),
-            _ => None,
-        });
+        let found = self.state(&state.text);
         let parsed = parse(value, self);
-        let Some(var) = var else {
+        let Some((var, unit)) = found else {
             let message = format!("`{}` is no state that an event could set", state.text);
             let hint = "there are signals that are integrals, momentum of an I and displacement of a C";
             self.mistakes.push("E1706", &state.span, message, hint);
             return None;
         };
-        let (parsed, unit) = (parsed?, found.ok()?.unit);
+        let parsed = parsed?;
         if let (Some(a), Some(b)) = (unit, parsed.unit)
             && a != b
         {
@@ -44,5 +40,18 @@ impl Checker<'_> {
             self.mistakes.push("E1705", &value.span, message, "check the units of the parts");
         }
         Some((var, parsed.id))
+    }
+
+    /// A state by its name, and its unit.
+    pub(super) fn state(&mut self, name: &str) -> Option<(Var, Option<Unit>)> {
+        let parsed = self.name(name).ok()?;
+        let var = match self.pool.node(parsed.id) {
+            Node::Var(Var::Signal(index)) => {
+                self.signals[index as usize].start.map(|_| Var::Signal(index))?
+            }
+            Node::Var(var @ (Var::Momentum(_) | Var::Displacement(_))) => var,
+            _ => return None,
+        };
+        Some((var, parsed.unit))
     }
 }

@@ -47,6 +47,10 @@ impl Checker<'_> {
                 self.numbers_only = false;
                 let unit = parsed.and_then(|value| value.unit);
                 let value = parsed.map_or(f64::NAN, |value| self.number(value.id));
+                if parsed.is_some() && !value.is_finite() {
+                    let message = format!("the start of `{}` is no finite number", name.text);
+                    self.mistakes.push("E1704", &start.span, message, "check divisions and roots in it");
+                }
                 self.signals[index].start = Some(value);
                 if unit.is_some() {
                     // The unit is known: the integrand may name the signal itself, or one that is being read just now.

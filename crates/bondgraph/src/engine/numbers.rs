@@ -330,6 +330,19 @@ fn revolutions(engine: &Engine) -> usize {
     (1..=64).find(|turns| whole(*turns)).unwrap_or(64)
 }
 
+/// Revolutions of crankshaft 1 after which rotors, firings and these orders of a torque stand as before; at most 64.
+pub(crate) fn period(engine: &Engine, torque: &[[f64; 3]]) -> usize {
+    let is_whole = |turned: f64| (turned - turned.round()).abs() < 1e-9;
+    let working = f64::from(engine.strokes.revolutions());
+    let stands = |turns: usize| {
+        let turns = turns as f64;
+        engine.crankshafts.iter().all(|shaft| is_whole(shaft.ratio.value() * turns / working))
+            && engine.geared_shafts().iter().all(|shaft| is_whole(shaft.ratio.value() * turns))
+            && torque.iter().all(|[order, _, _]| is_whole(order * turns))
+    };
+    (1..=64).find(|turns| stands(*turns)).unwrap_or(64)
+}
+
 /// The leading principal minors, each by the one before: positive where the matrix is positive definite.
 fn minors(m: [[f64; 3]; 3]) -> [f64; 3] {
     let second = m[0][0] * m[1][1] - m[0][1] * m[1][0];

@@ -22,6 +22,9 @@ pub struct EngineRequest {
     pub joints: EngineJoints,
     /// Pose and motion of the block at the start; a block that is held still has none.
     pub start: EngineStart,
+    /// Whether the block starts instead at rest where its mounts carry the weight, with the pistons as they are, and the reaction to a load
+    /// from the ground; as drawn where they leave it a motion.
+    pub equilibrium: bool,
     /// Acceleration of gravity [m/s^2]; 0: off.
     pub gravity: f64,
     /// Polar inertia of every crankshaft with its flywheel, without rods [kg m^2].
@@ -57,6 +60,8 @@ pub struct EngineRequest {
     pub against_ground: bool,
     /// Duration of the simulation [s].
     pub duration: f64,
+    /// Whether one period of the periodic motion is looked for instead: the revolutions after which all stands as before.
+    pub periodic: bool,
     /// Its samples.
     pub samples: usize,
     /// Its relative tolerance.
@@ -74,6 +79,7 @@ impl EngineRequest {
             mounts: false,
             joints: EngineJoints::Ideal,
             start: EngineStart::default(),
+            equilibrium: false,
             gravity: 0.0,
             crankshaft_inertia: Vec::new(),
             shaft_inertia: Vec::new(),
@@ -90,6 +96,7 @@ impl EngineRequest {
             profile: Vec::new(),
             against_ground: false,
             duration: revolutions * std::f64::consts::TAU / speed,
+            periodic: false,
             samples: 720,
             tolerance: 1e-9,
         }
@@ -102,7 +109,7 @@ impl EngineRequest {
 pub enum EngineDrive {
     /// The torques.
     Free,
-    /// A source of flow between block and crank.
+    /// A source of flow: its speed counts against the block, its torque comes from the ground.
     Imposed,
 }
 

@@ -302,7 +302,7 @@ impl Builder<'_> {
     }
 
     /// Whether mounts act: not on a block that stands still anyhow.
-    fn has_mounts(&self) -> bool {
+    pub(crate) fn has_mounts(&self) -> bool {
         self.moves() && self.request.block != EngineBlock::Held && self.request.mounts
     }
 

@@ -7,8 +7,8 @@
 //! An inertia of the driveline turns with the block: it holds the momentum J (w + Omega_z).
 
 use super::Builder;
-use super::request::{EngineDrive, LoadTorque};
-use super::words::{number, quantity};
+use super::request::{EngineBlock, EngineDrive, LoadTorque};
+use super::words::{combination, number, quantity};
 use crate::curve::Curve;
 use crate::unit::Unit;
 
@@ -24,8 +24,15 @@ impl Builder<'_> {
         let on_crank = request.driveline.is_empty();
         (on_crank && request.load.torque != LoadTorque::None && !request.load.reacts_on_block)
             || !request.torque.is_empty()
-            || (request.drive == EngineDrive::Imposed && request.against_ground)
+            || (request.drive == EngineDrive::Imposed
+                && (request.against_ground || self.is_driven_from_ground()))
             || request.starter.is_some_and(|starter| !starter.reacts_on_block)
+    }
+
+    /// Whether the torque of an imposed speed comes from the ground: where the block moves. A block that is held still carries it, so that its roll moment
+    /// is that of the crank train.
+    fn is_driven_from_ground(&self) -> bool {
+        self.moves() && self.request.block != EngineBlock::Held
     }
 
     /// Load, friction, starter and drive.
@@ -75,8 +82,14 @@ impl Builder<'_> {
                 }
                 None => quantity(self.request.speed, "rad/s"),
             };
-            self.element("drive", "Sf", &[("flow", &flow)]);
-            self.bond("drive", if self.request.against_ground { absolute } else { "crank" });
+            if self.is_driven_from_ground() && !self.request.against_ground {
+                // A speed relative to the block, by a torque from the ground.
+                self.element("drive", "MSf", &[("flow", &format!("{flow} + wz.flow"))]);
+                self.bond("drive", absolute);
+            } else {
+                self.element("drive", "Sf", &[("flow", &flow)]);
+                self.bond("drive", if self.request.against_ground { absolute } else { "crank" });
+            }
         }
     }
 
@@ -141,9 +154,15 @@ impl Builder<'_> {
                 self.element(&damper, "R", &[("effort", &format!("{}*f", quantity(link.damping, "N m s")))]);
                 self.bond(&twisting, &damper);
             }
-            ends = [own.clone(), absolute, format!("link{k}_angle")];
-            if k == links.len() && matches!(self.request.load.torque, LoadTorque::Angle { .. }) {
-                self.integral(&ends[2].clone(), &format!("{own}.flow"), &quantity(angle, "rad"));
+            let before_it = std::mem::replace(&mut ends, [own.clone(), absolute, format!("link{k}_angle")]);
+            if matches!(self.request.load.torque, LoadTorque::Angle { .. }) {
+                let opens = k == 1 && self.changing.has("clutch_closed");
+                if link.stiffness > 0.0 && !opens {
+                    let turned = combination(&[(link.ratio, &before_it[2])]);
+                    self.signal(&ends[2].clone(), &format!("{turned} - link{k}_spring.displacement"));
+                } else {
+                    self.integral(&ends[2].clone(), &format!("{own}.flow"), &quantity(angle, "rad"));
+                }
             }
             before = own;
         }

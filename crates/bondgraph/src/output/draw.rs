@@ -367,13 +367,20 @@ fn places(graph: &Graph) -> Vec<[f64; 2]> {
     places
 }
 
-/// Ends of a line between two elements, clear of their letters, whose half widths are given.
+/// What lines keep clear of an element, above its middle and below, where its name is.
+const ABOVE: f64 = 15.0;
+const BELOW: f64 = 29.0;
+
+/// Ends of a line between two elements, clear of their letters, whose half widths are given, and of the names below them.
 fn line(a: [f64; 2], b: [f64; 2], wide: [f64; 2]) -> ([f64; 2], [f64; 2], [f64; 2]) {
     let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
     let length = dx.hypot(dy).max(1.0);
     let (ux, uy) = (dx / length, dy / length);
-    let gap = |wide: f64| (wide * ux.abs() + 15.0 * uy.abs()).min(length / 3.0);
-    let (first, last) = (gap(wide[0]), gap(wide[1]));
+    let gap = |wide: f64, down: f64| {
+        let tall = if down > 0.0 { BELOW } else { ABOVE };
+        (wide * ux.abs() + tall * uy.abs()).min(length / 3.0)
+    };
+    let (first, last) = (gap(wide[0], uy), gap(wide[1], -uy));
     ([a[0] + first * ux, a[1] + first * uy], [b[0] - last * ux, b[1] - last * uy], [ux, uy])
 }
 

@@ -148,7 +148,8 @@ impl Reader<'_> {
                 format!("<mfrac>{above}{below}</mfrac>")
             }
             "sqrt" => format!("<msqrt>{}</msqrt>", self.group()),
-            "dot" => format!("<mover>{}<mo>˙</mo></mover>", self.with_indices()),
+            // Over the letter alone, beside its index.
+            "dot" => format!("<mover>{}<mo>˙</mo></mover>", self.thing()),
             "mathrm" => format!("<mi mathvariant=\"normal\">{}</mi>", self.word()),
             "operatorname" => format!("<mi mathvariant=\"normal\">{}</mi><mo>&#x2061;</mo>", self.word()),
             // A blank, or a sign that LaTeX needs a stroke before.
@@ -205,6 +206,7 @@ mod tests {
             inner("p_{\\mathrm{mass}}"),
             "<msub><mi>p</mi><mi mathvariant=\"normal\">mass</mi></msub>"
         );
+        assert_eq!(inner("\\dot p_1"), "<msub><mover><mi>p</mi><mo>˙</mo></mover><mn>1</mn></msub>");
         assert_eq!(inner("\\dot \\theta"), "<mover><mi>θ</mi><mo>˙</mo></mover>");
         assert_eq!(
             inner("2 \\, \\left(a - 1.5\\right)"),

@@ -5,8 +5,12 @@ use crate::causality::loops::AlgebraicLoop;
 use crate::graph::Graph;
 use crate::linear::Linear;
 use crate::output::shown::ShownEquations;
+use crate::run::motion::{PeriodicEnd, PeriodicMotion};
 use crate::run::simulate::Simulation;
 use std::fmt::Write;
+
+/// Multipliers that are listed at most.
+const MOST_MULTIPLIERS: usize = 12;
 
 /// Causality in words.
 pub fn causality_text(graph: &Graph, causality: &Causality) -> String {
@@ -187,6 +191,9 @@ pub fn simulation_text(run: &Simulation) -> String {
         "{} steps, {} rejected, {} evaluations of {} operations, {} events\n",
         s.steps, s.rejected, s.evaluations, run.operations, s.events
     );
+    if let Some(periodic) = &run.periodic {
+        out += &periodic_text(periodic);
+    }
     let _ =
         writeln!(out, "{:<32} {:>15} {:>15} {:>15} {:>15}", "quantity", "start", "least", "largest", "end");
     for series in &run.series {
@@ -202,6 +209,38 @@ pub fn simulation_text(run: &Simulation) -> String {
         );
     }
     out
+}
+
+/// How the search for a periodic motion ended.
+fn periodic_text(motion: &PeriodicMotion) -> String {
+    let found = match motion.outcome {
+        PeriodicEnd::Stable if motion.multipliers.is_empty() => "given: no state is free to depart from it",
+        PeriodicEnd::Stable => "stable: what departs from it comes back",
+        PeriodicEnd::Neutral => "neutral: some departures stay, for example of a speed that nothing prefers",
+        PeriodicEnd::Unstable => "unstable: small departures grow",
+        PeriodicEnd::NotFound => "not found",
+    };
+    let mut out = format!("periodic motion: {found}\n");
+    if let Some(instead) = &motion.instead {
+        let _ = writeln!(out, "what happened instead: {instead}");
+    } else {
+        let _ = writeln!(
+            out,
+            "period {} s; changes over it {:.1e} of the size of each state after {} iterations",
+            motion.period, motion.residual, motion.iterations
+        );
+    }
+    let shown: Vec<String> = (motion.multipliers.iter().take(MOST_MULTIPLIERS))
+        .filter(|[_, imaginary]| *imaginary >= 0.0)
+        .map(|[real, imaginary]| match *imaginary {
+            0.0 => format!("{real:.6}"),
+            imaginary => format!("{real:.6} ± {imaginary:.6} i"),
+        })
+        .collect();
+    if !shown.is_empty() {
+        let _ = writeln!(out, "multipliers, the largest first: {}", shown.join(", "));
+    }
+    out + "\n"
 }
 
 /// The samples as CSV, one row each.

@@ -35,6 +35,11 @@ pub(crate) struct Compiled {
     rules: Vec<(u32, Vec<u32>)>,
     /// Switches of events that end the simulation.
     stops: Vec<usize>,
+    /// Divisors of ratios: their switch and element.
+    divisors: Vec<(usize, usize)>,
+    /// What stores hold that follow something which jumps, and their bonds.
+    leaps: Tape,
+    leaping: Vec<usize>,
     /// Their new values, one event after the other.
     settings: Tape,
     /// Whether events are passed over.
@@ -109,6 +114,21 @@ impl Compiled {
             rules.push((switches.of(when), set.iter().map(|(state, _)| *state).collect()));
         }
         let settings = Tape::new(&mut pool, &set_values, &input, &mut switches);
+        let mut divisors = Vec::new();
+        for (element, divisor) in &equations.divisors {
+            let divisor = pool.substitute(*divisor, &mut known, &number);
+            divisors.push((switches.of(divisor) as usize, *element));
+        }
+        let (mut leaping, mut leaps) = (Vec::new(), Vec::new());
+        for unknown in &equations.unknowns {
+            if let What::Following(held) = unknown.what
+                && pool.jumps(held)
+            {
+                leaping.push(unknown.bond);
+                leaps.push(pool.substitute(held, &mut known, &number));
+            }
+        }
+        let leaps = Tape::new(&mut pool, &leaps, &input, &mut switches);
         let following = Following::new(equations, &mut pool, &rates, &held, &left, &input, &mut switches);
         if let Some(following) = following {
             let variables = Tape::new(&mut pool, &variables, &input, &mut switches);
@@ -127,6 +147,9 @@ impl Compiled {
                 held: Held::new(&switches, &pool),
                 rules,
                 stops,
+                divisors,
+                leaps,
+                leaping,
                 settings,
                 without_events: false,
                 following: Some(following),
@@ -173,6 +196,9 @@ impl Compiled {
             held: Held::new(&switches, &pool),
             rules,
             stops,
+            divisors,
+            leaps,
+            leaping,
             settings,
             without_events: false,
             following: None,
@@ -269,6 +295,25 @@ impl Compiled {
             }
         }
         true
+    }
+
+    /// The element whose ratio becomes infinite where a switch changes.
+    pub(crate) fn infinite(&self, switch: usize) -> Option<usize> {
+        self.divisors.iter().find(|(own, _)| *own == switch).map(|(_, element)| *element)
+    }
+
+    /// What stores hold that follow something which jumps; empty where nothing can.
+    pub(crate) fn leaps(&mut self, t: f64, y: &[f64]) -> Vec<f64> {
+        let mut values = vec![0.0; self.leaping.len()];
+        if !values.is_empty() && self.place(t, y) {
+            self.leaps.run(&self.inputs, &self.held, &mut self.work, &mut values);
+        }
+        values
+    }
+
+    /// Bond of a store that follows something which jumps.
+    pub(crate) fn leaping(&self, index: usize) -> usize {
+        self.leaping[index]
     }
 
     /// Whether the event of a switch ends the simulation.

@@ -2,10 +2,11 @@
 
 use crate::equations::Equations;
 use crate::expression::Var;
-use crate::graph::{Element, Kind, Law};
+use crate::graph::{Element, Kind, Law, Period};
 use crate::run::audit::{Audit, audit};
 use crate::run::compiled::Compiled;
-use lanchester_numerics::{Dop853, Outcome, Radau5, SampleGrid, Settings, Statistics, Step};
+use crate::run::motion::PeriodicMotion;
+use lanchester_numerics::{Dop853, Outcome, Radau5, SampleGrid, Settings, Statistics, Step, System};
 use lanchester_results::{Series, values_of};
 use serde::Serialize;
 use std::collections::HashMap;
@@ -20,7 +21,7 @@ const EVER_FASTER: u32 = 3;
 /// Tolerances below this are met at samples by steps that end there: the interpolant would be less accurate than the steps.
 const FINE: f64 = 1e-9;
 
-/// Tolerances below this reach a kink by steps of their own: the interpolant would be less accurate.
+/// Tolerances below this reach a kink or event by steps of their own: the interpolant would be less accurate.
 const STEP_AGAIN: f64 = 3e-8;
 
 /// A ratio that is so many times as large as at the start has no bound.
@@ -32,11 +33,16 @@ const ROUGH: u64 = 6000;
 /// What stays below this share of the largest of its unit is rounding: what symmetry keeps at zero, say.
 const ROUNDING: f64 = 1e-12;
 
+/// A smaller change at an event is no jump, as a share.
+const LEAP: f64 = 1e-9;
+
 /// How a simulation is run.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SimulationRequest {
     /// Duration [s].
     pub duration: f64,
+    /// The period of a periodic motion that is looked for; one period of it is then shown, and the duration does not count.
+    pub periodic: Option<Period>,
     /// Samples over it, beside the start.
     pub samples: usize,
     /// Relative tolerance of every step.
@@ -45,7 +51,7 @@ pub struct SimulationRequest {
     pub audit: bool,
     /// The method; chosen by measured stiffness where absent.
     pub method: Option<Method>,
-    /// Largest number of evaluations.
+    /// Largest number of evaluations; of a periodic motion those of the whole search.
     pub most_evaluations: u64,
 }
 
@@ -88,6 +94,8 @@ pub struct Simulation {
     pub statistics: Statistics,
     /// Operations of one evaluation.
     pub operations: usize,
+    /// The periodic motion that was looked for.
+    pub periodic: Option<PeriodicMotion>,
 }
 
 /// A condition that switched.
@@ -102,17 +110,23 @@ pub struct Event {
 }
 
 /// What one pass gives.
-struct Pass {
+pub(crate) struct Pass {
     samples: Vec<(f64, Vec<f64>)>,
     variables: Vec<Vec<f64>>,
-    largest: Vec<f64>,
-    end: (f64, Vec<f64>),
-    ended: String,
-    complete: bool,
-    methods: Vec<Method>,
+    /// Largest size of each state.
+    pub(crate) largest: Vec<f64>,
+    /// Time and state at its end.
+    pub(crate) end: (f64, Vec<f64>),
+    /// Why it ended, in words.
+    pub(crate) ended: String,
+    /// Whether it came to its end.
+    pub(crate) complete: bool,
+    /// Methods that ran.
+    pub(crate) methods: Vec<Method>,
     stiff_from: Option<f64>,
     events: Vec<Event>,
-    statistics: Statistics,
+    /// Its cost.
+    pub(crate) statistics: Statistics,
 }
 
 impl Simulation {
@@ -128,6 +142,7 @@ impl Equations {
         let asked = self.graph.simulation;
         SimulationRequest {
             duration: asked.duration,
+            periodic: asked.period.filter(|_| asked.periodic),
             samples: asked.samples,
             tolerance: asked.tolerance,
             audit: false,
@@ -136,8 +151,16 @@ impl Equations {
         }
     }
 
+    /// The period of its periodic motion, where the graph says it.
+    pub fn period(&self) -> Option<Period> {
+        self.graph.simulation.period
+    }
+
     /// Simulates. Every way in which a run can end is said in the result.
     pub fn simulate(&self, request: &SimulationRequest) -> Simulation {
+        if let Some(period) = request.periodic {
+            return self.periodic(period, request);
+        }
         let samples = request.samples;
         // The last is the end itself: rounding must not put it behind.
         let place = |k: usize| request.duration * if k == samples { 1.0 } else { k as f64 / samples as f64 };
@@ -145,9 +168,10 @@ impl Equations {
         self.simulate_at(request, &places)
     }
 
-    /// The same with samples at `places` [s], which rise from above 0; those behind the duration are not reached.
+    /// A run over the duration with samples at `places` [s], which rise from above 0; those behind the duration are not reached.
     pub fn simulate_at(&self, request: &SimulationRequest, places: &[f64]) -> Simulation {
         let mut compiled = Compiled::new(self, request.audit);
+        let start: Vec<f64> = self.states.iter().map(|state| state.start).collect();
         let dimension = self.states.len() + if request.audit { self.graph.bonds.len() } else { 0 };
         // A rough pass measures how large each quantity becomes: absolute tolerances are shares of that. Its beginning is enough where
         // every state has moved by then: a size that is still small there makes the tolerance finer, never coarser. Energies are not
@@ -155,7 +179,7 @@ impl Equations {
         let sizes = |compiled: &mut Compiled, most_evaluations: u64| -> (bool, Vec<f64>) {
             let tolerance = 1e-5f64.max(request.tolerance);
             let rough = SimulationRequest { tolerance, most_evaluations, ..*request };
-            let mut pass = self.pass(compiled, &rough, &[request.duration], &vec![1e-12; dimension]);
+            let mut pass = self.pass(compiled, &rough, &[request.duration], &vec![1e-12; dimension], &start);
             self.measure_rounding(&mut pass.largest);
             (pass.complete, pass.largest)
         };
@@ -167,11 +191,11 @@ impl Equations {
             (is_whole, largest) = sizes(&mut compiled, most);
         }
         let absolute: Vec<f64> = largest.iter().map(share).collect();
-        let mut pass = self.pass(&mut compiled, request, places, &absolute);
+        let mut pass = self.pass(&mut compiled, request, places, &absolute, &start);
         if !pass.complete && !is_whole && beginning < most {
             let (_, largest) = sizes(&mut compiled, most);
             let absolute: Vec<f64> = largest.iter().map(share).collect();
-            pass = self.pass(&mut compiled, request, places, &absolute);
+            pass = self.pass(&mut compiled, request, places, &absolute, &start);
         }
         let time: Vec<f64> = pass.samples.iter().map(|(t, _)| *t).collect();
         let series = self.series(&pass);
@@ -190,12 +214,13 @@ impl Equations {
             audit,
             statistics: pass.statistics,
             operations: compiled.operations(),
+            periodic: None,
         }
     }
 
     /// Gives what is nothing but rounding the size of the largest of its unit: a share of its own size would make steps follow noise.
     /// Audited energies stand behind the states.
-    fn measure_rounding(&self, largest: &mut [f64]) {
+    pub(crate) fn measure_rounding(&self, largest: &mut [f64]) {
         let units: Vec<Option<&str>> = (0..largest.len())
             .map(|index| self.states.get(index).map(|state| state.unit_name.as_str()))
             .collect();
@@ -278,16 +303,17 @@ impl Equations {
         series
     }
 
-    /// One integration over the whole duration.
-    fn pass(
+    /// One integration over the whole duration, from the states `start`.
+    pub(crate) fn pass(
         &self,
         compiled: &mut Compiled,
         request: &SimulationRequest,
         places: &[f64],
         absolute: &[f64],
+        start: &[f64],
     ) -> Pass {
         let signals = self.graph.signals.len();
-        let mut y: Vec<f64> = self.states.iter().map(|state| state.start).collect();
+        let mut y = start.to_vec();
         y.resize(absolute.len(), 0.0);
         let mut t = 0.0;
         compiled.settle(t, &y);
@@ -350,13 +376,31 @@ impl Equations {
             }
             match outcome {
                 Outcome::Event { index, rising } => {
-                    if is_explicit && request.tolerance < STEP_AGAIN && !compiled.held.is_condition(index) {
+                    if is_explicit && request.tolerance < STEP_AGAIN {
                         step_again(compiled, request, absolute, &stepped, t, &mut y);
                     }
                     if compiled.held.is_condition(index) {
                         pass.events.push(Event { time: t, condition: index, on: rising });
                     }
+                    if let Some(element) = compiled.infinite(index) {
+                        let name = &self.graph.elements[element].name;
+                        pass.ended = format!("the ratio of `{name}` becomes infinite at {t} s");
+                        // A sample at that place has no numbers.
+                        while pass.samples.last().is_some_and(|(at, _)| t - at < 1e-9 * request.duration) {
+                            pass.samples.pop();
+                            pass.variables.pop();
+                        }
+                        break;
+                    }
+                    let before = compiled.leaps(t, &y);
                     compiled.held.happen(index, rising);
+                    if let Some(bond) = leapt(&before, &compiled.leaps(t, &y)) {
+                        let name = self.graph.bond_name(compiled.leaping(bond));
+                        pass.ended = format!(
+                            "`{name}` follows what jumps at {t} s, which would take an impulse: put a resistor or spring between, or let it change in some time"
+                        );
+                        break;
+                    }
                     if rising && compiled.held.is_condition(index) && compiled.happen(index, t, &mut y) {
                         let again = setting.0 == index && t - setting.1 <= 1e-9 * request.duration;
                         setting = (index, t, if again { setting.2 + 1 } else { 0 });
@@ -396,7 +440,9 @@ impl Equations {
                     break;
                 }
                 other => {
-                    pass.ended = self.in_words(other, t, &y) + &self.grown_moduli(compiled, t, &y);
+                    pass.ended = self.in_words(other, t, &y)
+                        + &self.fastest(compiled, t, &y, &pass.largest, other)
+                        + &self.grown_moduli(compiled, t, &y);
                     break;
                 }
             }
@@ -413,6 +459,25 @@ impl Equations {
         };
         pass.end = (t, y);
         pass
+    }
+
+    /// The state that changes fastest for its size where no step is short enough, in words.
+    fn fastest(
+        &self,
+        compiled: &mut Compiled,
+        t: f64,
+        y: &[f64],
+        largest: &[f64],
+        outcome: Outcome,
+    ) -> String {
+        if !matches!(outcome, Outcome::StepTooSmall { .. }) {
+            return String::new();
+        }
+        let mut rates = vec![0.0; largest.len()];
+        compiled.derivative(t, y, &mut rates);
+        let share = |index: &usize| rates[*index].abs() / largest[*index].max(f64::MIN_POSITIVE);
+        let found = (0..self.states.len()).max_by(|a, b| share(a).total_cmp(&share(b)));
+        found.map_or_else(String::new, |index| format!("; {} changes fastest", self.states[index].symbol))
     }
 
     /// Ratios of transformers and gyrators that have grown beyond measure since the start, in words; empty where none has.
@@ -473,6 +538,12 @@ impl Equations {
     }
 }
 
+/// Which of some values has jumped, if one has.
+fn leapt(before: &[f64], after: &[f64]) -> Option<usize> {
+    let jumped = |(a, b): (&f64, &f64)| (a - b).abs() > LEAP * a.abs().max(b.abs());
+    before.iter().zip(after).position(jumped)
+}
+
 /// The grid of places that are equally spaced from 0 on.
 fn grid(places: &[f64], duration: f64) -> Option<SampleGrid> {
     let spacing = *places.first()?;
@@ -483,8 +554,8 @@ fn grid(places: &[f64], duration: f64) -> Option<SampleGrid> {
     (uniform && spacing > 0.0).then_some(SampleGrid { origin: 0.0, spacing })
 }
 
-/// The state at a kink of a curve by steps of their own from the start of the step that met it: the interpolant is less accurate. The
-/// curve goes on smoothly within its window, so that the place of the kink does not matter to the last digit.
+/// The state at a kink of a curve or where a condition switches, by steps of their own from the start of the step that met it: the interpolant is
+/// less accurate. What was held goes on smoothly beyond, so that the place does not matter to the last digit.
 fn step_again(
     compiled: &mut Compiled,
     request: &SimulationRequest,

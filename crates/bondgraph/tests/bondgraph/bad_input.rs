@@ -216,3 +216,50 @@ fn an_event_that_comes_ever_faster_ends_the_run() {
     let mistakes = Graph::read(&mass("inertia = \"1 kg\"", "[[event]]\nwhen = \"-h\"\nstop = \"yes\"\n"));
     assert!(mistakes.expect_err("stop is true or false").iter().any(|mistake| mistake.code == "E1702"));
 }
+
+/// What only shows on the way ends the run with the element and the time, not with numbers that are none.
+#[test]
+fn what_becomes_infinite_or_jumps_ends_the_run() {
+    let run = |text: &str| {
+        let graph = Graph::read(text).unwrap_or_else(|mistakes| panic!("{mistakes:#?}"));
+        let found = equations(&graph).unwrap_or_else(|mistakes| panic!("{mistakes:#?}"));
+        found.simulate(&found.request())
+    };
+    let lever = "name = \"lever\"\n[elements]\nv = { kind = \"1\", domain = \"translation\" }\nw = { kind = \"1\", domain = \"translation\" }\n\
+        a = { kind = \"I\", inertia = \"1 kg\" }\nb = { kind = \"I\", inertia = \"1 kg\" }\npush = { kind = \"Se\", effort = \"3 N\" }\n\
+        lever = { kind = \"MTF\", ratio = \"1/(1 - 2 1/s*t)\" }\n[bonds]\n\
+        list = [\"push > v\", \"v > a\", \"v > lever.1\", \"lever.2 > w\", \"w > b\"]\n";
+    let found = run(lever);
+    assert!(
+        !found.complete && found.ended.starts_with("the ratio of `lever` becomes infinite at 0.5"),
+        "{}",
+        found.ended
+    );
+    assert!(found.series.iter().all(|series| series.values.iter().all(|value| value.is_finite())));
+    let switch = "name = \"switch\"\n[elements]\nn = { kind = \"1\", domain = \"electric\" }\nbattery = { kind = \"Se\", effort = \"12 V\" }\n\
+        switch = { kind = \"MSf\", flow = \"if(t > 0.5 s, 0 A, 1 A)\" }\nl = { kind = \"I\", inertia = \"1 H\" }\n[bonds]\n\
+        list = [\"battery > n\", \"switch > n\", \"n > l\"]\n";
+    let found = run(switch);
+    assert!(!found.complete && found.ended.contains("`l` follows what jumps at 0.5"), "{}", found.ended);
+    // The same through a ramp has a voltage: it runs.
+    let found = run(&switch.replace("if(t > 0.5 s, 0 A, 1 A)", "1 A*min(max(6 - t/(0.1 s), 0), 1)"));
+    assert!(found.complete, "{}", found.ended);
+}
+
+/// Two capacitors side by side hold one voltage: starts that differ would need an impulse of current.
+#[test]
+fn starts_of_followers_and_graphs_of_nothing_are_refused() {
+    let pair = |own: &str| {
+        let text = format!(
+            "name = \"pair\"\n[elements]\nn = {{ kind = \"0\", domain = \"electric\" }}\na = {{ kind = \"C\", capacitance = \"1 F\", effort = \"1 V\" }}\n\
+             b = {{ kind = \"C\", capacitance = \"2 F\", effort = \"{own}\" }}\n[bonds]\nlist = [\"n > a\", \"n > b\"]\n"
+        );
+        equations(&Graph::read(&text).expect("its parts are good")).map_err(|mistakes| mistakes[0].code)
+    };
+    assert_eq!(pair("5 V").err(), Some("E1714"));
+    assert!(pair("1 V").is_ok());
+    assert_eq!(Graph::read("[elements]\n").expect_err("nothing")[0].code, "E1709");
+    let start = "name = \"x\"\n[elements]\nv = { kind = \"1\", domain = \"translation\" }\nm = { kind = \"I\", inertia = \"1 kg\" }\n[signals]\n\
+        x = { integral_of = \"v.flow\", start = \"0/0*1 m\" }\n[bonds]\nlist = [\"v > m\"]\n";
+    assert_eq!(Graph::read(start).expect_err("no number")[0].code, "E1704");
+}

@@ -19,7 +19,7 @@ use lanchester::bondgraph::{
 use lanchester::file::{Diagnostic, read, render};
 use lanchester::report::bond_graph_figures;
 use lanchester::task::option;
-use lanchester::{BondGraphRequest, engine_bond_graph};
+use lanchester::{BondGraphRequest, RunLength, engine_bond_graph};
 use std::collections::BTreeMap;
 use std::path::Path;
 
@@ -134,6 +134,10 @@ fn of_engine(
         Some("none") => Some(LoadTorque::None),
         Some(text) => Some(LoadTorque::Constant(option::torque(text, "--load")?)),
     };
+    let mut simulation = engine_file.tasks.simulation.as_deref().cloned().unwrap_or_default();
+    if arguments.until.is_some() {
+        simulation.duration = Some(RunLength::Periodic);
+    }
     let request = BondGraphRequest {
         speed: options.speed.as_deref().map(|text| option::speed(text, "--speed")).transpose()?,
         block: options.block.map(|block| match block {
@@ -149,7 +153,7 @@ fn of_engine(
         gas_as_states: options.gas_states,
         load,
         load_on_block: options.load_on_block,
-        simulation: engine_file.tasks.simulation.as_deref().cloned().unwrap_or_default(),
+        simulation,
         ..BondGraphRequest::default()
     };
     let traces = if request.gas { trace_files(engine, file)? } else { Vec::new() };
@@ -274,10 +278,20 @@ fn request(
 ) -> Result<SimulationRequest, Failure> {
     let mut request = found.request();
     request.audit = audit;
+    if arguments.until.is_some() {
+        let none = || {
+            Failure::input(
+                "the graph file does not say after what its motion repeats",
+                "add period = \"20 ms\", or for example period = \"720 deg of theta\", to its [simulation]",
+            )
+        };
+        request.periodic = Some(found.period().ok_or_else(none)?);
+    }
     if let Some(text) = &arguments.duration {
         request.duration = lanchester::bondgraph::duration(text).ok_or_else(|| {
             Failure::input(format!("--for needs a time above 0, got \"{text}\""), "for example --for '2 s'")
         })?;
+        request.periodic = None;
     }
     if let Some(samples) = arguments.samples {
         request.samples = samples as usize;

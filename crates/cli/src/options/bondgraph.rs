@@ -1,6 +1,7 @@
 //! The command line of `lanchester bondgraph`.
 
 use crate::format::Format;
+use crate::options::simulation::Until;
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 
@@ -20,6 +21,10 @@ pub struct BondgraphArguments {
     /// Duration of the simulation, with its unit; default: that of the graph file, else 1 s; of an engine file two revolutions.
     #[arg(long = "for", value_name = "TIME")]
     pub duration: Option<String>,
+    /// `periodic`: the motion that repeats, one period of it with its multipliers, instead of a run from the start. A graph file says in `[simulation]`
+    /// what its `period` is.
+    #[arg(long, value_enum, conflicts_with = "duration")]
+    pub until: Option<Until>,
     /// Samples of the simulation beside its start.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     pub samples: Option<u32>,

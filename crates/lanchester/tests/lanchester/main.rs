@@ -6,6 +6,7 @@ mod bearing_films;
 mod bond_graph_changes;
 mod bond_graph_engine;
 mod bond_graph_joints;
+mod bond_graph_periodic;
 mod chamber;
 #[path = "../../../../fuzz/checks.rs"]
 mod checks;
