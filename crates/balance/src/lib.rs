@@ -43,6 +43,7 @@ pub use consequences::{
 };
 pub use error::BalanceError;
 pub use fitted::{bare, fitted};
+pub use operator::natural;
 pub use optimum::{optimise, optimise_watched, optimise_with};
 pub use over_speed::*;
 pub use robust::{

@@ -480,8 +480,9 @@ fn orders(engine: &Engine, kinematics: Kinematics) -> Result<(Vec<OrderLoads>, u
     }
 }
 
-/// All moving masses at their largest acceleration [N], and that at the largest lever [N m].
-pub(crate) fn natural(engine: &Engine, speed: f64) -> (f64, f64) {
+/// All moving masses at their largest acceleration at `speed` [rad/s], as if nothing cancelled [N], and that at the largest
+/// lever [N m]: what the loads that are left are rounding beside.
+pub fn natural(engine: &Engine, speed: f64) -> (f64, f64) {
     let mut force = 0.0;
     let mut lever = 0.0f64;
     for throw in &engine.throws {

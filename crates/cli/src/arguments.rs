@@ -10,6 +10,7 @@ use crate::options::counterweight::CounterweightArguments;
 use crate::options::explore::ExploreArguments;
 use crate::options::export::ExportArguments;
 use crate::options::mounts::MountsArguments;
+use crate::options::printed::PrintedArguments;
 use crate::options::published::PublishedArguments;
 use crate::options::robust::RobustArguments;
 use crate::options::scatter::ScatterArguments;
@@ -189,15 +190,16 @@ pub enum Command {
                             lanchester explore four.toml --cylinders 6 --limit 'length = 650 mm' --minimise 'bending moment' --minimise 'force order 2'\n  \
                             lanchester explore v6.toml --even-firing --adopt 1 --output best.toml\n  \
                             lanchester explore v6.toml --format csv > front.csv\n  \
-                            lanchester explore v6.toml --save cases.parquet\n  lanchester explore v6.toml --save part-2.parquet --part 2/3\n\n\
+                            lanchester explore v6.toml --save cases.parquet\n  \
+                            lanchester explore v6.toml --bank-angle '60 deg .. 120 deg by 1 deg' --save part-2.parquet --part 2/3\n\n\
                             A run with --save that was stopped goes on with the same command.\n\
                             Exit status 1: nothing was judged, and the answer says why; or the run was stopped."
     )]
     Explore(Box<ExploreArguments>),
     /// Join the parts of a long run into the table that the run would have written, to the last byte.
     #[command(
-        after_help = "Examples:\n  lanchester explore v6.toml --save part-1.parquet --part 1/2\n  lanchester explore v6.toml --save part-2.parquet \
-                            --part 2/2\n  lanchester merge part-1.parquet part-2.parquet --output cases.parquet"
+        after_help = "Examples:\n  lanchester explore v6.toml --bank-angle '60 deg .. 120 deg by 1 deg' --save part-1.parquet --part 1/2\n  \
+                            lanchester explore v6.toml --bank-angle '60 deg .. 120 deg by 1 deg' --save part-2.parquet --part 2/2\n  lanchester merge part-1.parquet part-2.parquet --output cases.parquet"
     )]
     Merge(MergeArguments),
     /// What matters most for loads, torque, bearings and mounts: exact derivatives by every number of the engine, one at a time over ranges, and
@@ -205,16 +207,16 @@ pub enum Command {
     #[command(
         after_help = "Examples:\n  lanchester sensitivity four.toml\n  lanchester sensitivity four.toml --output 'force order 2' --vary 'rod length = 10 %' --figures figures\n  \
                             lanchester sensitivity twin.toml --vary 'piston mass = 25 %' --vary 'crank radius = 5 mm' --only\n  \
-                            lanchester sensitivity four.toml --each --sobol 4096 --format csv > sensitivity.csv"
+                            lanchester sensitivity four.toml --each --sobol 64 --format csv > sensitivity.csv"
     )]
     Sensitivity(SensitivityArguments),
     /// What tolerances of the parts do to residual forces and couples in production: distribution, worst case, capability, and
     /// which tolerance to tighten first.
     #[command(
-        after_help = "Examples:\n  lanchester scatter four.toml\n  lanchester scatter four.toml --samples 1000000 --seed 7 --figures figures\n  \
-                            lanchester scatter four.toml --limit 'force order 1 = 60 N' --limit 'couple order 1 = 10 N m'\n  \
+        after_help = "Examples:\n  lanchester scatter four.toml\n  lanchester scatter four.toml --samples 100000 --seed 7 --figures figures\n  \
+                            lanchester scatter four.toml --limit 'force order 1 = 800 N' --limit 'couple order 1 = 80 N m'\n  \
                             lanchester scatter four.toml --orders-only --format json > scatter.json\n  \
-                            lanchester scatter four.toml --samples 10000000 --save engines.parquet\n\n\
+                            lanchester scatter four.toml --samples 500000 --save engines.parquet\n\n\
                             Exit status 1: the production does not keep a limit."
     )]
     Scatter(ScatterArguments),
@@ -357,6 +359,9 @@ pub struct LoadsArguments {
     /// Form of the output.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,
+    /// How text and CSV are printed.
+    #[command(flatten)]
+    pub printed: PrintedArguments,
 }
 
 /// Tables of `loads --format csv`.
@@ -491,6 +496,9 @@ pub struct BalanceArguments {
     /// Form of the output.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,
+    /// How text and CSV are printed.
+    #[command(flatten)]
+    pub printed: PrintedArguments,
     /// Which arrangement?
     #[command(flatten)]
     pub search: SearchArguments,

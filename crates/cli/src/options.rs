@@ -7,6 +7,7 @@ pub(crate) mod counterweight;
 pub(crate) mod explore;
 pub(crate) mod export;
 pub(crate) mod mounts;
+pub(crate) mod printed;
 pub(crate) mod published;
 pub(crate) mod robust;
 pub(crate) mod run;

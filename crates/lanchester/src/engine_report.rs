@@ -12,8 +12,8 @@ use lanchester_mechanism::{
 };
 use lanchester_model::Engine;
 use lanchester_report::{
-    Figure, OptimumInput, Provenance, ReportHead, Section, bending_section, engine_section, figures,
-    loads_sections, motion_section, optimum_section, report,
+    Figure, OptimumInput, Provenance, ReportHead, Section, Table, before_and_after_in_short, bending_section,
+    engine_section, figures, loads_sections, motion_section, optimum_section, peaks_in_short, report,
 };
 use lanchester_task::Tasks;
 
@@ -106,7 +106,18 @@ impl<'a> EngineReport<'a> {
     /// The page.
     pub fn page(&self, provenance: &Provenance) -> String {
         let EngineReport { engine, loads, warnings, .. } = self;
-        report(&ReportHead { engine, speed: loads.speed, provenance, warnings }, &self.sections())
+        let key_numbers = self.key_numbers();
+        let head = ReportHead { engine, speed: loads.speed, provenance, warnings, key_numbers: &key_numbers };
+        report(&head, &self.sections())
+    }
+
+    /// The numbers of the first page: before and after where something was balanced, else the peaks as the file stands.
+    fn key_numbers(&self) -> Table {
+        let found = self.optimum.as_ref();
+        let in_short = found.and_then(|found| {
+            before_and_after_in_short(self.engine, &found.answer, found.consequences.as_ref())
+        });
+        in_short.unwrap_or_else(|| peaks_in_short(&self.loads))
     }
 
     /// The words and tables of the page as plain text, under the titles of their sections.

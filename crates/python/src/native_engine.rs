@@ -6,7 +6,7 @@ use crate::guard::unlocked;
 use crate::options::Options;
 use crate::prepared::Prepared;
 use crate::solids::{SolidsRequest, solids_file};
-use lanchester::file::{expanded, template, templates};
+use lanchester::file::{CompleteError, EngineKind, TypicalSection, complete, expanded, template, templates};
 use lanchester::model::Engine;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict, PyList};
@@ -83,6 +83,60 @@ impl NativeEngine {
         let changes = Changes::read(changes)?;
         let own = &self.prepared;
         Ok(unlocked(py, || own.with_text(changes.apply(&own.text)?))?.into())
+    }
+
+    /// A copy with typical values for these sections, all that are missing where none is named; and what it cannot have.
+    fn completed(
+        &self,
+        py: Python<'_>,
+        sections: Vec<String>,
+        kind: Option<&str>,
+    ) -> PyResult<(NativeEngine, Vec<&'static str>, Vec<(&'static str, String)>)> {
+        let list =
+            |words: Vec<&str>| words.iter().map(|word| format!("\"{word}\"")).collect::<Vec<_>>().join(", ");
+        let section = |word: &String| {
+            TypicalSection::of_word(word).ok_or_else(|| {
+                let all = TypicalSection::ALL.map(TypicalSection::word).to_vec();
+                Failure::option(
+                    format_args!("there are no typical values for \"{word}\""),
+                    format_args!("take one of {}", list(all)),
+                )
+            })
+        };
+        let sections = sections.iter().map(section).collect::<Result<Vec<TypicalSection>, Failure>>()?;
+        let of_kind = |word: &str| {
+            EngineKind::of_word(word).ok_or_else(|| {
+                let all = EngineKind::ALL.map(EngineKind::word).to_vec();
+                Failure::option(
+                    format_args!("there is no kind of engine \"{word}\""),
+                    format_args!("take one of {}", list(all)),
+                )
+            })
+        };
+        let kind = kind.map(of_kind).transpose()?;
+        let own = &self.prepared;
+        let done = unlocked(py, || {
+            let done = complete(&own.text, &sections, kind).map_err(|error| match error {
+                CompleteError::Unfit { text, diagnostics, .. } => {
+                    Failure::Mistakes { name: "the completed file".into(), text, diagnostics }
+                }
+                CompleteError::File(diagnostics) => {
+                    Failure::Mistakes { name: own.name.clone(), text: own.text.clone(), diagnostics }
+                }
+                other => Failure::refused(other),
+            })?;
+            if let Some(left) = done.left_out.iter().find(|left| sections.contains(&left.section)) {
+                return Err(Failure::option(
+                    format_args!("{} cannot be had for this engine: {}", left.section, left.why),
+                    "leave it out",
+                ));
+            }
+            Ok((own.with_text(done.text.clone())?, done))
+        })?;
+        let (prepared, done) = done;
+        let added = done.added.iter().map(|section| section.word()).collect();
+        let left_out = done.left_out.iter().map(|left| (left.section.word(), left.why.clone())).collect();
+        Ok((prepared.into(), added, left_out))
     }
 
     /// Its text.

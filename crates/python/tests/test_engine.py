@@ -112,6 +112,27 @@ def test_a_wrong_change_says_where() -> None:
         engine.with_({"crank..stroke": 0.08})
 
 
+def test_typical_values_complete_an_engine_and_keep_what_it_says() -> None:
+    single = Engine.template("single")
+    gas = single.complete("gas", kind="motorcycle-petrol")
+    assert "[gas]" in gas.text and "# Typical values" in gas.text and "[flywheel]" not in gas.text
+    assert "[gas]" not in single.text, "the engine itself is left alone"
+    assert gas.with_({"gas": None}).text.strip().startswith(single.text.strip()[:200])
+    whole = single.complete()
+    assert whole.torque().torque.with_gas and whole.mounts().modes.modes
+    assert whole.complete().text == whole.text, "nothing is missing any more"
+
+
+def test_typical_values_that_cannot_be_had_are_refused() -> None:
+    single = Engine.template("single")
+    with pytest.raises(RequestError, match="no typical values for .gsa"):
+        single.complete("gsa")
+    with pytest.raises(RequestError, match="no kind of engine"):
+        single.complete(kind="steam")
+    with pytest.raises(RequestError, match="shaft_weight_design cannot be had for this engine: the engine has no balance shafts"):
+        single.complete("shaft_weight_design")
+
+
 def test_unknown_names_have_a_suggestion() -> None:
     with pytest.raises(RequestError, match='did you mean "in-line-4"'):
         Engine.template("in-line-44")

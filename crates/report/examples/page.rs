@@ -6,7 +6,8 @@
 
 use lanchester_mechanism::{InternalRequest, LoadRequest, internal_cases, loads};
 use lanchester_report::{
-    Provenance, ReportHead, bending_section, engine_section, figures, loads_sections, motion_section, report,
+    Provenance, ReportHead, bending_section, engine_section, figures, loads_sections, motion_section,
+    peaks_in_short, report,
 };
 use std::error::Error;
 use std::{env, fs, path::Path};
@@ -39,8 +40,14 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut sections = loads_sections(&engine, &loads);
     sections.extend(bending_section(&engine, &internal));
     sections.extend([motion_section(&loads), engine_section(&engine)]);
-    let head =
-        ReportHead { engine: &engine, speed: loads.speed, provenance: &provenance, warnings: &warnings };
+    let key_numbers = peaks_in_short(&loads);
+    let head = ReportHead {
+        engine: &engine,
+        speed: loads.speed,
+        provenance: &provenance,
+        warnings: &warnings,
+        key_numbers: &key_numbers,
+    };
     fs::write(output, report(&head, &sections))?;
     if let Some(folder) = arguments.get(2) {
         fs::create_dir_all(folder)?;

@@ -10,11 +10,13 @@ pub(crate) mod number;
 pub(crate) mod paragraph;
 pub(crate) mod plot;
 pub(crate) mod polar;
+pub(crate) mod rounding;
 pub(crate) mod section;
 pub(crate) mod sheet;
 pub(crate) mod svg;
 pub(crate) mod table;
 pub(crate) mod tornado;
+pub(crate) mod us_unit;
 pub(crate) mod view;
 pub(crate) mod xy_plot;
 

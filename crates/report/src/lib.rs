@@ -5,6 +5,7 @@
 #![forbid(unsafe_code)]
 
 mod bearings;
+mod brief;
 mod engine;
 mod gas;
 mod graph;
@@ -15,6 +16,7 @@ mod mounts;
 mod optimum;
 mod page;
 mod parts;
+mod printed;
 mod published;
 #[cfg(test)]
 mod sample;
@@ -27,6 +29,7 @@ mod torsion;
 pub mod workshop;
 
 pub use bearings::*;
+pub use brief::*;
 pub use engine::*;
 pub use gas::*;
 pub use graph::*;
@@ -37,6 +40,7 @@ pub use mounts::*;
 pub use optimum::*;
 pub use page::{Provenance, ReportHead, figures, report};
 pub use parts::*;
+pub use printed::*;
 pub use published::*;
 pub use simulated::*;
 pub use strength::*;

@@ -27,6 +27,6 @@ pub use star::{couple_stars, force_stars};
 pub use story::{Told, story};
 pub use tables::{
     articulation_table, couple_orders_table, cylinders_table, force_orders_table, motion_table, parts_table,
-    peaks_table, rod_inertia_table, roll_orders_table,
+    peaks_in_short, peaks_table, rod_inertia_table, roll_orders_table,
 };
 pub use text::loads_text;

@@ -6,6 +6,7 @@ pub(crate) mod cancellation;
 pub(crate) mod consequence_figures;
 pub(crate) mod consequence_tables;
 pub(crate) mod consequence_text;
+pub(crate) mod effect_noise;
 pub(crate) mod figures;
 pub(crate) mod give_up;
 pub(crate) mod robust;
@@ -14,6 +15,7 @@ pub(crate) mod tables;
 pub(crate) mod text;
 
 pub use assignment::{assignment_table, assignment_text};
+pub use before_after::before_and_after_in_short;
 pub use cancellation::{cancellation_proof_table, cancelled_orders_table};
 pub use consequence_figures::consequence_figures;
 pub use consequence_tables::consequences_table;

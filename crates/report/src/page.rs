@@ -6,7 +6,8 @@ use crate::engine::side_view::side_view;
 use crate::engine::tables::main_data;
 use crate::kit::figure::{Figure, STYLE};
 use crate::kit::number;
-use crate::kit::section::{Section, push_figures};
+use crate::kit::section::{Part, Section, push_figures};
+use crate::kit::table::Table;
 use askama::Template;
 use lanchester_model::{Engine, Rotation};
 
@@ -34,6 +35,8 @@ pub struct ReportHead<'a> {
     pub provenance: &'a Provenance,
     /// Warnings of the engine file, as plain text.
     pub warnings: &'a [String],
+    /// The numbers of the first page: before and after, or the peaks as the file stands.
+    pub key_numbers: &'a Table,
 }
 
 #[derive(Template)]
@@ -44,6 +47,8 @@ struct Page<'a> {
     provenance: &'a Provenance,
     margins: Margins,
     warnings: &'a [String],
+    findings: Vec<Finding<'a>>,
+    key_numbers: String,
     speed: String,
     main_data: Vec<(&'static str, String)>,
     drawings: String,
@@ -51,6 +56,23 @@ struct Page<'a> {
     turning: &'static str,
     side: &'static str,
     frame: String,
+}
+
+/// What a section has found, for the first page.
+struct Finding<'a> {
+    id: &'static str,
+    short: &'static str,
+    lead: &'a str,
+}
+
+impl Finding<'_> {
+    fn of(section: &Section) -> Option<Finding<'_>> {
+        let lead = section.parts.iter().find_map(|part| match part {
+            Part::Lead(words) => Some(words.as_str()),
+            _ => None,
+        })?;
+        Some(Finding { id: section.id, short: section.short, lead })
+    }
 }
 
 /// What stands in the margins of every printed sheet, as strings of CSS.
@@ -90,7 +112,7 @@ fn css_string(text: &str) -> String {
 
 /// The report as one self-contained HTML page: head, the sections in their order, conventions and sources.
 pub fn report(head: &ReportHead<'_>, sections: &[Section]) -> String {
-    let ReportHead { engine, speed, provenance, warnings } = *head;
+    let ReportHead { engine, speed, provenance, warnings, key_numbers } = *head;
     let (turning, side) = match engine.rotation {
         Rotation::Clockwise => ("clockwise", "right"),
         Rotation::Reverse => ("anticlockwise", "left"),
@@ -101,6 +123,8 @@ pub fn report(head: &ReportHead<'_>, sections: &[Section]) -> String {
         provenance,
         margins: Margins::of(engine, provenance),
         warnings,
+        findings: sections.iter().filter_map(Finding::of).collect(),
+        key_numbers: key_numbers.html(),
         speed: number::short(number::rpm(speed), 4),
         main_data: main_data(engine, speed),
         drawings: figures_html(&drawings(engine)),

@@ -4,7 +4,10 @@ use crate::api::Api;
 use crate::asker::Asker;
 use crate::problem::Problem;
 use crate::questions::summary::{EngineSummary, summary};
-use lanchester::file::{self, Diagnostic, Edit, EngineFile, FileEntry, Related, file_entries};
+use lanchester::file::{
+    self, CompleteError, Completed, Diagnostic, Edit, EngineFile, EngineKind, FileEntry, Related,
+    TypicalSection, file_entries,
+};
 use lanchester::model::Engine;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -27,6 +30,20 @@ struct EditedText {
 pub(crate) struct EngineText {
     /// The engine file.
     pub(crate) text: String,
+}
+
+/// A text to be completed.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct Incomplete {
+    /// The engine file.
+    text: String,
+    /// Sections that are wanted; all that are missing where none is named.
+    #[serde(default)]
+    sections: Vec<TypicalSection>,
+    /// Kind of engine that the values are taken for; none: what its numbers say.
+    #[serde(default)]
+    kind: Option<EngineKind>,
 }
 
 /// A text as an answer.
@@ -59,11 +76,23 @@ struct PlacedDiagnostic {
 }
 
 pub(crate) fn questions(api: Api) -> Api {
-    api.post("/api/engine", "Changes keys of an engine file and reads it.", reading).post(
-        "/api/expanded",
-        "The general form of an engine file.",
-        expanded,
-    )
+    api.post("/api/engine", "Changes keys of an engine file and reads it.", reading)
+        .post("/api/expanded", "The general form of an engine file.", expanded)
+        .post("/api/complete", "Typical values for what an engine file leaves out.", completed)
+}
+
+fn completed(_: &Asker, question: Incomplete) -> Result<Completed, Problem> {
+    file::complete(&question.text, &question.sections, question.kind).map_err(|error| {
+        let (text, diagnostics) = match &error {
+            CompleteError::File(diagnostics) => (&question.text, diagnostics.clone()),
+            CompleteError::Unfit { text, diagnostics, .. } => (text, diagnostics.clone()),
+            _ => (&question.text, Vec::new()),
+        };
+        let mut places = Utf16::new(text);
+        let mut problem = Problem::refused(&error);
+        problem.diagnostics = diagnostics.into_iter().map(|one| places.diagnostic(one)).collect();
+        problem
+    })
 }
 
 fn reading(_: &Asker, question: EditedText) -> Result<Reading, Problem> {

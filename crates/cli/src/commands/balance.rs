@@ -19,7 +19,8 @@ use crate::watch::Watch;
 use lanchester::balance::{Answer, Consequences, Outcome, fitted};
 use lanchester::model::Engine;
 use lanchester::report::{
-    PartMass, Table, balance_text, consequence_figures, headline, optimum_figures, part_masses_table,
+    PartMass, Table, balance_brief, balance_text, consequence_figures, headline, optimum_figures,
+    part_masses_table,
 };
 use lanchester::task::Tasks;
 use lanchester::{WeightAsPart, optimise_on_webs, weights_as_parts};
@@ -33,6 +34,7 @@ pub fn run(arguments: &BalanceArguments, colour: bool) -> Result<u8, Failure> {
             "add --format csv, or leave --table out",
         ));
     }
+    arguments.printed.check(arguments.format == Format::Text)?;
     if arguments.write && arguments.file == Path::new("-") {
         return Err(Failure::input(
             "--write needs a file, got standard input",
@@ -125,13 +127,16 @@ pub fn run(arguments: &BalanceArguments, colour: bool) -> Result<u8, Failure> {
     let as_parts = if found { as_parts(&answer, &after, &opened.file.tasks) } else { Vec::new() };
     print(&match (arguments.format, arguments.table) {
         (Format::Text, _) => {
-            let text = balance_text(engine, &answer, effect.as_ref(), &loads_after.diagnosis.summary);
-            text + &masses(&as_parts).map_or(String::new(), |table| format!("\n{}", table.text()))
+            let whole = || {
+                let text = balance_text(engine, &answer, effect.as_ref(), &loads_after.diagnosis.summary);
+                text + &masses(&as_parts).map_or(String::new(), |table| format!("\n{}", table.text()))
+            };
+            arguments.printed.text(whole, || balance_brief(engine, &answer))
         }
         (Format::Json, _) => {
             json(&Found { answer: &answer, as_parts: &as_parts, consequences: effect.as_ref() })?
         }
-        (Format::Csv, table) => csv(engine, &answer, effect.as_ref(), table),
+        (Format::Csv, table) => arguments.printed.csv(csv(engine, &answer, effect.as_ref(), table)),
     })?;
     Ok(status(&answer))
 }

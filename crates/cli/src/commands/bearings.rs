@@ -12,8 +12,8 @@ use lanchester::film::Cavitation;
 use lanchester::mechanism::{BearingLoads, BearingPart, BearingRequest};
 use lanchester::model::Engine;
 use lanchester::report::{
-    Figure, bearing_figures, bearings_csv, bearings_text, film_figures, films_csv, films_over_speed_figure,
-    films_over_speed_table, films_text,
+    Figure, bearing_figures, bearings_brief, bearings_csv, bearings_text, film_figures, films_csv,
+    films_over_speed_figure, films_over_speed_table, films_text, words_before_tables,
 };
 use lanchester::task::option;
 use lanchester::{bearing_films, bearing_films_over_speed, bearing_report, bearing_sizes};
@@ -28,6 +28,7 @@ struct WithAndWithout<'a> {
 }
 
 pub fn run(arguments: &BearingsArguments, colour: bool) -> Result<u8, Failure> {
+    arguments.printed.check(arguments.format == Format::Text)?;
     let speed = arguments.speed.as_deref().map(|text| option::speed(text, "--speed").map_err(Failure::from));
     let speed = speed.transpose()?;
     let opened = open(&arguments.file, colour)?;
@@ -70,7 +71,12 @@ pub fn run(arguments: &BearingsArguments, colour: bool) -> Result<u8, Failure> {
             }
             None => films(engine, &loads(part, true)?, &models, arguments.format, &draw)?,
         };
-        print(&text)?;
+        print(&match arguments.format {
+            Format::Text if arguments.printed.brief => arguments.printed.words(words_before_tables(&text)),
+            Format::Text => arguments.printed.words(text),
+            Format::Csv => arguments.printed.csv(text),
+            Format::Json => text,
+        })?;
         return Ok(DONE);
     }
     let found = loads(part, true)?;
@@ -85,9 +91,12 @@ pub fn run(arguments: &BearingsArguments, colour: bool) -> Result<u8, Failure> {
         write_figures(folder, &arguments.file, &bearing_figures(&parts))?;
     }
     print(&match arguments.format {
-        Format::Text => bearings_text(&found, &parts, bare.as_ref(), bearing_sizes(engine)),
+        Format::Text => arguments.printed.text(
+            || bearings_text(&found, &parts, bare.as_ref(), bearing_sizes(engine)),
+            || bearings_brief(&found),
+        ),
         Format::Json => json(&WithAndWithout { loads: &found, without_counterweights: bare.as_ref() })?,
-        Format::Csv => bearings_csv(&found),
+        Format::Csv => arguments.printed.csv(bearings_csv(&found)),
     })?;
     Ok(DONE)
 }

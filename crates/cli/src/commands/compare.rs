@@ -9,13 +9,14 @@ use crate::options::compare::{CompareArguments, EqualOption, HeldOption};
 use crate::options::share::share;
 use crate::trace_files::trace_files;
 use lanchester::literature::TwinArrangement;
-use lanchester::report::{comparison_figure, comparison_table, comparison_text};
+use lanchester::report::{comparison_brief, comparison_figure, comparison_table, comparison_text};
 use lanchester::study::compare::{Equal, Held};
 use lanchester::task::option;
 use lanchester::{CompareEntry, CompareRequest, ComparedWith, compare};
 use std::path::Path;
 
 pub fn run(arguments: &CompareArguments, colour: bool) -> Result<u8, Failure> {
+    arguments.printed.check(arguments.format == Format::Text)?;
     let request = request(arguments)?;
     let with = with(arguments)?;
     let mut entries = Vec::with_capacity(arguments.files.len() * with.len() + 1);
@@ -43,9 +44,11 @@ pub fn run(arguments: &CompareArguments, colour: bool) -> Result<u8, Failure> {
         write_figures(folder, &arguments.files[0], &[comparison_figure(&comparison)])?;
     }
     print(&match arguments.format {
-        Format::Text => comparison_text(&comparison),
+        Format::Text => {
+            arguments.printed.text(|| comparison_text(&comparison), || comparison_brief(&comparison))
+        }
         Format::Json => json(&comparison)?,
-        Format::Csv => comparison_table(&comparison).csv(),
+        Format::Csv => arguments.printed.csv(comparison_table(&comparison).csv()),
     })?;
     Ok(DONE)
 }

@@ -8,7 +8,9 @@ use crate::format::Format;
 use crate::options::mounts::{MountsArguments, MountsTable};
 use crate::requests::loads::point;
 use crate::trace_files::trace_files;
-use lanchester::report::{mount_figures, mount_forces_csv, mount_modes_csv, mount_motion_csv, mounts_text};
+use lanchester::report::{
+    mount_figures, mount_forces_csv, mount_modes_csv, mount_motion_csv, mounts_brief, mounts_text,
+};
 use lanchester::task::option;
 use lanchester::{MountSpeeds, mounts};
 
@@ -19,6 +21,7 @@ pub fn run(arguments: &MountsArguments, colour: bool) -> Result<u8, Failure> {
             "add --format csv, or leave --table out",
         ));
     }
+    arguments.printed.check(arguments.format == Format::Text)?;
     let speed = |text: &str, name| option::speed(text.trim(), name).map_err(Failure::from);
     let speeds = match (&arguments.speed, &arguments.speeds) {
         (Some(one), _) => MountSpeeds::List(vec![speed(one, "--speed")?]),
@@ -42,12 +45,13 @@ pub fn run(arguments: &MountsArguments, colour: bool) -> Result<u8, Failure> {
     if let Some(folder) = &arguments.figures {
         write_figures(folder, &arguments.file, &mount_figures(&opened.file.engine, &study))?;
     }
+    let printed = &arguments.printed;
     print(&match (arguments.format, arguments.table) {
-        (Format::Text, _) => mounts_text(&study),
+        (Format::Text, _) => printed.text(|| mounts_text(&study), || mounts_brief(&study)),
         (Format::Json, _) => json(&study)?,
-        (Format::Csv, Some(MountsTable::Motion)) => mount_motion_csv(&study),
-        (Format::Csv, Some(MountsTable::Modes)) => mount_modes_csv(&study),
-        (Format::Csv, _) => mount_forces_csv(&study),
+        (Format::Csv, Some(MountsTable::Motion)) => printed.csv(mount_motion_csv(&study)),
+        (Format::Csv, Some(MountsTable::Modes)) => printed.csv(mount_modes_csv(&study)),
+        (Format::Csv, _) => printed.csv(mount_forces_csv(&study)),
     })?;
     Ok(DONE)
 }

@@ -12,9 +12,9 @@ use lanchester::file::{StartOfRun, event_from_words, start_from_words};
 use lanchester::model::NamedPoint;
 use lanchester::multibody::{LoadLaw, ReactsOn, RunOutcome};
 use lanchester::report::{
-    SimulationColumns, SimulationResult, simulation_energy_columns, simulation_events_columns,
-    simulation_figures, simulation_orders_columns, simulation_reactions_columns, simulation_text,
-    simulation_trace_columns,
+    SimulationColumns, SimulationResult, simulation_brief, simulation_energy_columns,
+    simulation_events_columns, simulation_figures, simulation_orders_columns, simulation_reactions_columns,
+    simulation_text, simulation_trace_columns,
 };
 use lanchester::table::{Column, Form, Rows, TableWriter, Values};
 use lanchester::task::option;
@@ -28,6 +28,7 @@ pub fn run(arguments: &SimulateArguments, colour: bool) -> Result<u8, Failure> {
             "add --format csv or parquet, or leave --table out",
         ));
     }
+    arguments.printed.check(arguments.format == SimulationFormat::Text)?;
     let mut request = request(arguments)?;
     let opened = open(&arguments.file, colour)?;
     for &number in &arguments.misfire {
@@ -71,9 +72,11 @@ pub fn run(arguments: &SimulateArguments, colour: bool) -> Result<u8, Failure> {
         write_figures(folder, &arguments.file, &simulation_figures(&result))?;
     }
     match arguments.format {
-        SimulationFormat::Text => print(&simulation_text(&result))?,
+        SimulationFormat::Text => {
+            print(&arguments.printed.text(|| simulation_text(&result), || simulation_brief(&result)))?;
+        }
         SimulationFormat::Json => print(&json(&result)?)?,
-        SimulationFormat::Csv => print(&columns(&result, arguments.table).csv())?,
+        SimulationFormat::Csv => print(&arguments.printed.csv(columns(&result, arguments.table).csv()))?,
         SimulationFormat::Parquet => print_bytes(&parquet(columns(&result, arguments.table))?)?,
     }
     let ended =

@@ -11,12 +11,13 @@ use lanchester::mechanism::{Lever, TorqueRequest};
 use lanchester::model::Friction;
 use lanchester::report::{
     Figure, Table, cycle_angle_table, cycle_figures, cycle_table, flywheel_table, power_figure, power_table,
-    ripple_figure, ripple_table, torque_csv, torque_figures, torque_speeds_table, torque_text,
+    ripple_figure, ripple_table, torque_brief, torque_csv, torque_figures, torque_speeds_table, torque_text,
 };
 use lanchester::task::option;
 use lanchester::{TorqueReport, TorqueReportRequest, torque_report};
 
 pub fn run(arguments: &TorqueArguments, colour: bool) -> Result<u8, Failure> {
+    arguments.printed.check(arguments.format == Format::Text)?;
     let mut request = request(arguments)?;
     let opened = open(&arguments.file, colour)?;
     request.simulation.clone_from(&opened.file.tasks.simulation);
@@ -31,16 +32,19 @@ pub fn run(arguments: &TorqueArguments, colour: bool) -> Result<u8, Failure> {
     if let Some(table) = arguments.table {
         let table = one_table(&report, table)?;
         match arguments.format {
-            Format::Text => print(&table.text())?,
-            Format::Csv => print(&table.csv())?,
+            Format::Text => print(&arguments.printed.words(table.text()))?,
+            Format::Csv => print(&arguments.printed.csv(table.csv()))?,
             Format::Json => print(&json(&report)?)?,
         }
         return Ok(DONE);
     }
     print(&match arguments.format {
-        Format::Text => text(&report),
+        Format::Text => arguments.printed.text(
+            || text(&report),
+            || torque_brief(&report.torque, report.brake.as_ref(), report.flywheel.as_ref()),
+        ),
         Format::Json => json(&report)?,
-        Format::Csv => torque_csv(&report.torque),
+        Format::Csv => arguments.printed.csv(torque_csv(&report.torque)),
     })?;
     Ok(DONE)
 }

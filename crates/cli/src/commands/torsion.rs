@@ -15,14 +15,16 @@ use lanchester::flex::statics::SolveOptions;
 use lanchester::model::Engine;
 use lanchester::report::{
     Table, TorsionResult, chain_table, critical_table, damped_mode_table, damper_table, holzer_table,
-    mode_table, shaft_order_table, shaft_table, star_table, time_table, torsion_csv, torsion_figures,
-    torsion_inertia_table, torsion_speed_table, torsion_text, tuning_table, twist_order_table,
+    mode_table, shaft_order_table, shaft_table, star_table, time_table, torsion_brief, torsion_csv,
+    torsion_figures, torsion_inertia_table, torsion_speed_table, torsion_text, tuning_table,
+    twist_order_table,
 };
 use lanchester::task::option;
 use lanchester::torsion::{TuneAim, TuneFree};
 use lanchester::{StressMesh, TorsionRequest, throw_stiffnesses, torsion};
 
 pub fn run(arguments: &TorsionArguments, colour: bool) -> Result<u8, Failure> {
+    arguments.printed.check(arguments.format == Format::Text)?;
     let mut request = request(arguments)?;
     let opened = open(&arguments.file, colour)?;
     let engine = &opened.file.engine;
@@ -38,11 +40,14 @@ pub fn run(arguments: &TorsionArguments, colour: bool) -> Result<u8, Failure> {
         (_, Format::Json) => json(&found)?,
         (Some(table), form) => {
             let tables = tables(&found, table)?;
-            let of = |table: &Table| if form == Format::Csv { table.csv() } else { table.text() };
+            let of = |table: &Table| match form {
+                Format::Csv => arguments.printed.csv(table.csv()),
+                _ => arguments.printed.words(table.text()),
+            };
             tables.iter().map(of).collect::<Vec<_>>().join("\n")
         }
-        (None, Format::Csv) => torsion_csv(&found),
-        (None, Format::Text) => torsion_text(&found),
+        (None, Format::Csv) => arguments.printed.csv(torsion_csv(&found)),
+        (None, Format::Text) => arguments.printed.text(|| torsion_text(&found), || torsion_brief(&found)),
     };
     print(&text)?;
     if found.is_within() {

@@ -1,6 +1,7 @@
 //! The command line of `lanchester compare`.
 
 use crate::format::Format;
+use crate::options::printed::PrintedArguments;
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 
@@ -45,6 +46,9 @@ pub struct CompareArguments {
     /// Form of the output.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,
+    /// How text and CSV are printed.
+    #[command(flatten)]
+    pub printed: PrintedArguments,
 }
 
 /// In what engines are made equal.

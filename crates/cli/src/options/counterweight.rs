@@ -23,7 +23,7 @@ pub enum CounterweightCommand {
                             lanchester counterweight design three.toml --minimise 'swept radius' --limit 'mass = 2 kg'\n  \
                             lanchester counterweight design three.toml --weight 'web 1' --dimension 'thickness = 15 mm .. 25 mm'\n  \
                             lanchester counterweight design three.toml --figures figures\n  \
-                            lanchester counterweight design lanchester.toml --weight 'left weight 1'\n\n\
+                            lanchester counterweight design lanchester.toml --weight 'with the crank' --write\n\n\
                             Counterweights need the section [counterweight_design] or the options, weights of balance shafts \
                             the section [shaft_weight_design]. A weight of a shaft with a shape and no `unbalance` beside it stays as it is.\n\n\
                             Exit status 1: no shape of the ranges meets all limits; the nearest values that can be met are printed."
@@ -51,7 +51,7 @@ pub enum CounterweightCommand {
         after_help = "Examples:\n  lanchester counterweight export three.toml --output crankshaft.step\n  \
                             lanchester counterweight export three.toml --output web.dxf --weight 'web 1'\n  \
                             lanchester counterweight export three.toml --output crankshaft.glb --facet '0.05 mm'\n  \
-                            lanchester counterweight export lanchester.toml --output left.step --shaft left"
+                            lanchester counterweight export lanchester.toml --output shaft.step --shaft 'with the crank'"
     )]
     Export(ExportArguments),
     /// Take the outline of a counterweight from a DXF or SVG drawing.

@@ -1,6 +1,7 @@
 //! Options of `lanchester mounts`.
 
 use crate::format::Format;
+use crate::options::printed::PrintedArguments;
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 
@@ -37,6 +38,9 @@ pub struct MountsArguments {
     /// Form of the output.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,
+    /// How text and CSV are printed.
+    #[command(flatten)]
+    pub printed: PrintedArguments,
 }
 
 /// Tables of `mounts --format csv`.

@@ -1,6 +1,7 @@
 //! Options of `lanchester simulate` and `lanchester crosscheck`.
 
 use crate::format::Format;
+use crate::options::printed::PrintedArguments;
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 
@@ -71,6 +72,9 @@ pub struct SimulateArguments {
     /// Form of the output.
     #[arg(long, value_enum, default_value_t = SimulationFormat::Text)]
     pub format: SimulationFormat,
+    /// How text and CSV are printed.
+    #[command(flatten)]
+    pub printed: PrintedArguments,
 }
 
 /// The form of a run on stdout.

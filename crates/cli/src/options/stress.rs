@@ -1,6 +1,7 @@
 //! Options of `lanchester stress`.
 
 use crate::format::Format;
+use crate::options::printed::PrintedArguments;
 use clap::{Args, Subcommand, ValueEnum};
 use std::path::PathBuf;
 
@@ -63,8 +64,8 @@ pub enum StressCommand {
     Cycle(CycleArguments),
     /// Strength by the formulas of IACS UR M53, throw by throw: fillets and oil bores with their safety; exit status 1 where it is below 1.15.
     #[command(
-        after_help = "Examples:\n  lanchester stress rule four.toml\n  lanchester stress rule four.toml --speed '6000 rpm' --torsional-vibration '500 N m'\n  \
-                            lanchester stress rule four.toml --with-torsion\n  lanchester stress rule four.toml --torsional-vibration '300 N m, 350 N m, 400 N m, 420 N m' --format csv > rule.csv\n\n\
+        after_help = "Examples:\n  lanchester stress rule four.toml\n  lanchester stress rule four.toml --speed '6000 rpm' --torsional-vibration '150 N m'\n  \
+                            lanchester stress rule four.toml --with-torsion\n  lanchester stress rule four.toml --torsional-vibration '90 N m, 110 N m, 130 N m, 140 N m' --format csv > rule.csv\n\n\
                             Formulas after UR M53, not compared with the printed rule. Every ratio is held to the range of the formulas."
     )]
     Rule(RuleArguments),
@@ -179,6 +180,9 @@ pub struct StaticArguments {
     /// Form of the output; CSV is every fillet under every case.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,
+    /// How text and CSV are printed.
+    #[command(flatten)]
+    pub printed: PrintedArguments,
 }
 
 /// `stress modes`
@@ -202,6 +206,9 @@ pub struct ModesArguments {
     /// Form of the output.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,
+    /// How text and CSV are printed.
+    #[command(flatten)]
+    pub printed: PrintedArguments,
 }
 
 /// `stress export`
@@ -243,6 +250,9 @@ pub struct ReduceArguments {
     /// Form of the output.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,
+    /// How text and CSV are printed.
+    #[command(flatten)]
+    pub printed: PrintedArguments,
 }
 
 /// `stress fatigue`
@@ -278,6 +288,9 @@ pub struct FatigueArguments {
     /// Form of the output; CSV has one line for each fillet and speed.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,
+    /// How text and CSV are printed.
+    #[command(flatten)]
+    pub printed: PrintedArguments,
 }
 
 /// `stress cycle`
@@ -328,6 +341,9 @@ pub struct CycleArguments {
     /// Form of the output; CSV is the peak of every fillet and bearing by law.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,
+    /// How text and CSV are printed.
+    #[command(flatten)]
+    pub printed: PrintedArguments,
 }
 
 /// Laws of bearings.
@@ -370,6 +386,9 @@ pub struct RuleArguments {
     /// Form of the output; CSV has one line for each place and speed.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,
+    /// How text and CSV are printed.
+    #[command(flatten)]
+    pub printed: PrintedArguments,
 }
 
 /// `stress solve`

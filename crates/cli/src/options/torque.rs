@@ -1,6 +1,7 @@
 //! The command lines of `lanchester torque` and `lanchester bearings`.
 
 use crate::format::Format;
+use crate::options::printed::PrintedArguments;
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 
@@ -46,6 +47,9 @@ pub struct TorqueArguments {
     /// Form of the output; CSV is everything over the crank angle, or the table asked for.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,
+    /// How text and CSV are printed.
+    #[command(flatten)]
+    pub printed: PrintedArguments,
 }
 
 /// A table of `torque`.
@@ -98,6 +102,9 @@ pub struct BearingsArguments {
     /// Form of the output; CSV is everything over the crank angle.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,
+    /// How text and CSV are printed.
+    #[command(flatten)]
+    pub printed: PrintedArguments,
 }
 
 /// Model of cavitation.

@@ -1,6 +1,7 @@
 //! The command line of `lanchester torsion`.
 
 use crate::format::Format;
+use crate::options::printed::PrintedArguments;
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 
@@ -47,6 +48,9 @@ pub struct TorsionArguments {
     /// Form of the output; CSV is everything over speed, or the table asked for.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,
+    /// How text and CSV are printed.
+    #[command(flatten)]
+    pub printed: PrintedArguments,
 }
 
 /// Where the stiffness of throws comes from.

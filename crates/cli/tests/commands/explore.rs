@@ -27,7 +27,7 @@ fn the_flat_crank_leads_the_in_line_fours_and_the_engine_is_told_to_be_it() {
     let text = output(&folder, 0, &["explore", &four, "--even-firing", "--figures", "figures"]);
     assert!(
         text.contains(
-            "The space has 13 824 cases: 1728 from the list of throw angles, times 8 from the choice"
+            "The space has 13\u{a0}824 cases: 1728 from the list of throw angles, times 8 from the choice"
         ),
         "{text}"
     );

@@ -273,6 +273,24 @@ class Engine:
         """
         return Engine(self._native.with_changes({**(changes or {}), **tables}))
 
+    def complete(self, *sections: str, kind: str | None = None) -> Engine:
+        """A copy with typical values for what the engine file leaves out: commented, named as typical, scaled to the engine. What the file says is kept.
+
+        `sections`: those alone, such as ``"gas"``, ``"flywheel"``, ``"mount"``, ``"crank.body"``; all that are missing where none is named, but those that this layout cannot
+        have. `kind` of engine that the values are taken for, such as ``"car-petrol"``; what its numbers say where it is left out. Typical values are usual practice and
+        no measurement: replace them by the numbers of the real engine.
+
+        Raises `RequestError` where a section is unknown or named and not to be had for this engine, `EngineFileError` where the typical values do not fit what the file says.
+
+        >>> from lanchester import Engine
+        >>> engine = Engine.template("in-line-4").complete("gas", "friction")
+        >>> "# Typical values" in engine.text
+        True
+        >>> engine.torque().torque.with_gas
+        True
+        """
+        return Engine(self._native.completed(list(sections), kind)[0])
+
     def variants(self, columns: Mapping[str, Any]) -> Variants:
         """Copies with other numbers: for every path an array of SI numbers, one for each copy. They are made when they are looked at.
 

@@ -1,9 +1,7 @@
 //! How large the loads of a crankshaft are, so that rounding is told from them.
 
+use crate::kit::rounding::below;
 use lanchester_mechanism::{BeamModel, InternalMoments};
-
-/// Share of the largest case below which a value is rounding.
-const SHARE: f64 = 1e-9;
 
 /// What counts as nothing.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -20,8 +18,8 @@ impl Noise {
         let mut noise = Noise::default();
         for shaft in cases.iter().flat_map(|c| &c.crankshafts) {
             for beam in BeamModel::ALL.map(|model| shaft.of(model)) {
-                noise.force = noise.force.max(SHARE * beam.peak_shear.value.max(beam.peak_main.value));
-                noise.moment = noise.moment.max(SHARE * beam.peak_moment.value);
+                noise.force = noise.force.max(below(beam.peak_shear.value.max(beam.peak_main.value)));
+                noise.moment = noise.moment.max(below(beam.peak_moment.value));
             }
         }
         noise

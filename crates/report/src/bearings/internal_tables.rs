@@ -2,7 +2,7 @@
 
 use crate::bearings::internal_noise::Noise;
 use crate::kit::number;
-use crate::kit::table::{Cell, Column, Table, column_cells, csv_number, push_csv_line};
+use crate::kit::table::{Cell, Column, Table, column_cells, csv_number, own_cells, push_csv_line};
 use lanchester_mechanism::{BeamModel, InternalMoments, MainLoad, Peak};
 use lanchester_model::Engine;
 
@@ -127,7 +127,7 @@ pub fn mains_table(engine: &Engine, cases: &[InternalMoments]) -> Table {
         columns.push((Column::words("crankshaft"), names.collect()));
     }
     columns.push((Column::words("main"), rows().map(|(_, m)| Cell::text(m.main.to_string())).collect()));
-    columns.push((Column::numbers("z", "mm"), column_cells(rows().map(|(_, m)| 1e3 * m.z), 4, 0.0)));
+    columns.push((Column::numbers("z", "mm"), own_cells(rows().map(|(_, m)| 1e3 * m.z), 4)));
     let compares = compares_weights(cases);
     for case in cases {
         let loads = case.crankshafts.iter().flat_map(|s| &s.throw_by_throw.mains).map(|m| m.largest.value);

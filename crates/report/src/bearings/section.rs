@@ -36,11 +36,30 @@ pub fn bearings_section(input: &BearingsInput<'_>) -> Option<Section> {
         whole.part.name()
     );
     let section = Section::new("bearings", "Bearings", "Pistons, pins and bearings")
+        .lead(lead(whole))
         .words(words)
         .paragraphs(without_mains_words(whole))
         .rows(figures)
         .tables(bearings_tables(whole, input.parts, input.bare, input.sizes));
     Some(section)
+}
+
+/// The most loaded main bearing, and the largest loads of rods and pistons.
+fn lead(loads: &BearingLoads) -> String {
+    let newtons = |value: f64| format!("{} N", number::short(value, 4));
+    let largest = |of: fn(&CylinderBearings) -> f64| loads.cylinders.iter().map(of).fold(0.0, f64::max);
+    let several = loads.mains.iter().any(|main| main.crankshaft > 1);
+    let main = loads.mains.iter().max_by(|a, b| a.load.peak.value.total_cmp(&b.load.peak.value));
+    let main = main.map_or_else(String::new, |main| {
+        let of = if several { format!(" of crankshaft {}", main.crankshaft) } else { String::new() };
+        format!("Main bearing {}{of} carries most, {}. ", main.main, newtons(main.load.peak.value))
+    });
+    format!(
+        "{main}Crankpins carry up to {}, piston pins up to {}; the side thrust is at most {}.",
+        newtons(largest(|one| one.lower_pin.peak.value)),
+        newtons(largest(|one| one.piston_pin.peak.value)),
+        newtons(largest(|one| one.largest_thrust.value.abs()))
+    )
 }
 
 /// Cylinders of which the loads are the same but for the time: places in the list.

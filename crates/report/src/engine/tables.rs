@@ -1,7 +1,7 @@
 //! Tables of the engine itself: masses, geometry and unbalances.
 
 use crate::kit::number;
-use crate::kit::table::{Cell, Column, Table, column_cells};
+use crate::kit::table::{Cell, Column, Table, own_cells};
 use lanchester_model::{Engine, RodJoint, RodMassRule, Strokes};
 use std::f64::consts::TAU;
 
@@ -63,8 +63,8 @@ pub fn firing_order(engine: &Engine) -> Option<String> {
 /// Masses and geometry of every cylinder.
 pub fn masses_table(engine: &Engine) -> Table {
     let cylinders = &engine.cylinders;
-    let grams = |f: &dyn Fn(usize) -> f64| column_cells((0..cylinders.len()).map(|k| 1e3 * f(k)), 4, 0.0);
-    let lengths = |f: &dyn Fn(usize) -> f64| column_cells((0..cylinders.len()).map(|k| 1e3 * f(k)), 4, 1e-9);
+    let grams = |f: &dyn Fn(usize) -> f64| own_cells((0..cylinders.len()).map(|k| 1e3 * f(k)), 4);
+    let lengths = |f: &dyn Fn(usize) -> f64| own_cells((0..cylinders.len()).map(|k| 1e3 * f(k)), 4);
     let rule = |k: usize| match (cylinders[k].rod.joint, cylinders[k].rod.mass_rule) {
         (RodJoint::Articulated { master, .. }, _) => format!("articulated on {}", master + 1),
         (_, RodMassRule::Thirds) => "thirds".to_owned(),
@@ -109,7 +109,7 @@ pub fn masses_table(engine: &Engine) -> Table {
 /// Unbalance of every throw, and the counterweights that stand against it.
 pub fn throws_table(engine: &Engine) -> Table {
     let throws = &engine.throws;
-    let unbalances = |f: &dyn Fn(usize) -> f64| column_cells((0..throws.len()).map(|k| 1e6 * f(k)), 5, 1e-9);
+    let unbalances = |f: &dyn Fn(usize) -> f64| own_cells((0..throws.len()).map(|k| 1e6 * f(k)), 5);
     let mut columns = vec![
         (
             Column::numbers("throw", ""),
@@ -122,8 +122,8 @@ pub fn throws_table(engine: &Engine) -> Table {
                 .map(|t| Cell::Number { value: number::phase_degrees(t.angle), decimals: 1 })
                 .collect(),
         ),
-        (Column::numbers("z", "mm"), column_cells(throws.iter().map(|t| 1e3 * t.z), 4, 1e-9)),
-        (Column::numbers("radius", "mm"), column_cells(throws.iter().map(|t| 1e3 * t.radius), 4, 0.0)),
+        (Column::numbers("z", "mm"), own_cells(throws.iter().map(|t| 1e3 * t.z), 4)),
+        (Column::numbers("radius", "mm"), own_cells(throws.iter().map(|t| 1e3 * t.radius), 4)),
         (Column::numbers("crank", "g mm"), unbalances(&|k| throws[k].unbalance)),
         (Column::numbers("rod big ends", "g mm"), unbalances(&|k| engine.rod_unbalance(k))),
         (Column::numbers("together", "g mm"), unbalances(&|k| throws[k].unbalance + engine.rod_unbalance(k))),
@@ -177,8 +177,8 @@ pub fn weights_table(engine: &Engine) -> Option<Table> {
                 Column::numbers("speed ratio", ""),
                 rows.iter().map(|r| Cell::text(r.1.replace('-', "\u{2212}"))).collect(),
             ),
-            (Column::numbers("z", "mm"), column_cells(rows.iter().map(|r| 1e3 * r.2), 4, 1e-9)),
-            (Column::numbers("unbalance", "g mm"), column_cells(rows.iter().map(|r| 1e6 * r.3), 5, 1e-9)),
+            (Column::numbers("z", "mm"), own_cells(rows.iter().map(|r| 1e3 * r.2), 4)),
+            (Column::numbers("unbalance", "g mm"), own_cells(rows.iter().map(|r| 1e6 * r.3), 5)),
             (
                 Column::numbers("direction", "deg"),
                 rows.iter()

@@ -1,6 +1,9 @@
 //! How large loads are, so that rounding noise is told from loads.
 
+use crate::kit::rounding::{below, largest_moment};
+use lanchester_balance::natural;
 use lanchester_mechanism::Loads;
+use lanchester_model::Engine;
 use lanchester_results::LoadSet;
 
 /// The largest loads of the whole, of any part or of any cylinder: what has to cancel for a total to vanish.
@@ -16,9 +19,6 @@ pub struct Magnitude {
     pub shaft_torque: f64,
 }
 
-/// A load below this share of its [`Magnitude`] is rounding noise and is shown as zero.
-const NOISE: f64 = 1e-9;
-
 impl Magnitude {
     /// Of a load calculation.
     pub fn of(loads: &Loads) -> Magnitude {
@@ -29,14 +29,27 @@ impl Magnitude {
         for set in sets {
             largest.take(set);
         }
-        // Couples of an engine that is all in one plane vanish with all their parts: a lever of a centimetre tells
-        // noise then.
-        let lever = 0.01 * largest.force;
+        let moment = |own: f64| largest_moment(own, largest.force);
         Magnitude {
-            couple: largest.couple.max(lever),
-            roll_moment: largest.roll_moment.max(lever),
-            shaft_torque: largest.shaft_torque.max(lever),
-            ..largest
+            force: largest.force,
+            couple: moment(largest.couple),
+            roll_moment: moment(largest.roll_moment),
+            shaft_torque: moment(largest.shaft_torque),
+        }
+    }
+
+    /// Of all moving masses together at the highest speed, if nothing cancelled: where loads are known of the whole alone.
+    pub fn of_masses(engine: &Engine) -> Magnitude {
+        let (force, moment) = natural(engine, engine.speed.highest);
+        Magnitude { force, couple: moment, roll_moment: moment, shaft_torque: moment }
+    }
+
+    /// Below this a load of this unit is noise; 0 for units of other kinds.
+    pub fn noise_of_unit(&self, unit: &str) -> f64 {
+        match unit {
+            "N" => self.force_noise(),
+            "N m" => self.couple_noise(),
+            _ => 0.0,
         }
     }
 
@@ -50,21 +63,21 @@ impl Magnitude {
 
     /// Below this a force is noise [N].
     pub fn force_noise(&self) -> f64 {
-        NOISE * self.force
+        below(self.force)
     }
 
     /// Below this a couple is noise [N m].
     pub fn couple_noise(&self) -> f64 {
-        NOISE * self.couple
+        below(self.couple)
     }
 
     /// Below this a roll moment is noise [N m].
     pub fn roll_noise(&self) -> f64 {
-        NOISE * self.roll_moment
+        below(self.roll_moment)
     }
 
     /// Below this a shaft torque is noise [N m].
     pub fn torque_noise(&self) -> f64 {
-        NOISE * self.shaft_torque
+        below(self.shaft_torque)
     }
 }

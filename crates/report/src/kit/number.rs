@@ -32,14 +32,17 @@ pub fn fixed(value: f64, decimals: usize) -> String {
     grouped(&plain(value, decimals), '\u{202f}').replace('-', "\u{2212}")
 }
 
-/// As [`fixed`], for a terminal: ASCII minus, groups apart by a common space.
+/// The space between groups of three digits on a terminal: no line breaks there, and every font has it.
+pub const NO_BREAK: char = '\u{a0}';
+
+/// As [`fixed`], for a terminal: ASCII minus, groups apart by [`NO_BREAK`].
 pub fn terminal(value: f64, decimals: usize) -> String {
-    grouped(&plain(value, decimals), ' ')
+    grouped(&plain(value, decimals), NO_BREAK)
 }
 
 /// A whole number for a terminal, in groups from five digits on.
 pub fn whole(value: u128) -> String {
-    grouped(&value.to_string(), ' ')
+    grouped(&value.to_string(), NO_BREAK)
 }
 
 /// `value` with about `significant` digits, for running text and labels.
@@ -70,8 +73,8 @@ pub fn capital(text: &str) -> String {
 /// Degrees from radians, folded to (-180, 180].
 pub fn phase_degrees(radians: f64) -> f64 {
     let folded = radians.to_degrees().rem_euclid(360.0);
-    // A hair beyond 180 is 180: rounding must not flip the sign.
-    if folded > 180.0 + 1e-6 { folded - 360.0 } else { folded }
+    // A hair beyond 180 is 180: what is printed as 180.00 must not flip its sign by rounding.
+    if folded > 180.0 + 0.005 { folded - 360.0 } else { folded }
 }
 
 /// An order: "2", "0.5", "1.33".
@@ -170,8 +173,8 @@ mod tests {
 
     #[test]
     fn thousands_are_grouped_from_five_digits() {
-        assert_eq!(terminal(12345.0, 0), "12 345");
-        assert_eq!(terminal(-1234567.25, 1), "-1 234 567.2");
+        assert_eq!(terminal(12345.0, 0), "12\u{a0}345");
+        assert_eq!(terminal(-1234567.25, 1), "-1\u{a0}234\u{a0}567.2");
         assert_eq!(terminal(4719.74, 2), "4719.74");
         assert_eq!(fixed(-12345.0, 0), "\u{2212}12\u{202f}345");
     }

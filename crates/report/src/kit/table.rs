@@ -2,8 +2,14 @@
 
 use crate::kit::number;
 use crate::kit::paragraph::push_wrapped;
+use crate::kit::rounding;
 use crate::kit::svg::escape;
 use std::fmt::Write;
+
+/// Most rows of a table that is not broken over two sheets of paper.
+const SHORT: usize = 12;
+/// Least rows of a table beside which there is no other on paper.
+const LONG: usize = 40;
 
 /// A table.
 #[derive(Debug, Clone, PartialEq)]
@@ -69,12 +75,19 @@ impl Column {
 }
 
 /// Cells of one column, all with the decimals that give the largest of them `significant` digits; what is below
-/// `noise` is 0.
+/// `noise` ([`rounding::below`] of the largest of their kind) is 0.
 pub fn column_cells(values: impl IntoIterator<Item = f64>, significant: i32, noise: f64) -> Vec<Cell> {
-    let values: Vec<f64> = values.into_iter().map(|v| if v.abs() <= noise { 0.0 } else { v }).collect();
+    let values: Vec<f64> = values.into_iter().map(|v| rounding::clean(v, noise)).collect();
     let largest = values.iter().filter(|v| v.is_finite()).fold(0.0f64, |m, v| m.max(v.abs()));
     let decimals = number::decimals(largest, significant);
     values.into_iter().map(|value| Cell::Number { value, decimals }).collect()
+}
+
+/// Cells of a column that is a kind of its own, as [`column_cells`].
+pub(crate) fn own_cells(values: impl IntoIterator<Item = f64>, significant: i32) -> Vec<Cell> {
+    let values: Vec<f64> = values.into_iter().collect();
+    let noise = rounding::among(values.iter().copied());
+    column_cells(values, significant, noise)
 }
 
 /// A whole column of words.
@@ -82,14 +95,14 @@ pub(crate) fn words(header: &str, cells: impl Iterator<Item = String>) -> (Colum
     (Column::words(header), cells.map(Cell::Text).collect())
 }
 
-/// A whole column of numbers, as [`column_cells`]; what is below 1e-9 of the unit is 0.
+/// A whole column of numbers, as [`own_cells`].
 pub(crate) fn numbers(
     header: &str,
     unit: &'static str,
     values: impl Iterator<Item = f64>,
     significant: i32,
 ) -> (Column, Vec<Cell>) {
-    (Column::numbers(header, unit), column_cells(values, significant, 1e-9))
+    (Column::numbers(header, unit), own_cells(values, significant))
 }
 
 impl Cell {
@@ -207,8 +220,14 @@ impl Table {
     /// HTML; a wide table scrolls inside its own box.
     pub fn html(&self) -> String {
         let mut out = String::with_capacity(256 * (self.rows.len() + 2));
-        let class = if self.columns.len() > 7 { "table wide" } else { "table" };
-        let _ = write!(out, "<figure class=\"{class}\" id=\"{}\">\n<figcaption><b>", self.id);
+        let wide = if self.columns.len() > 7 { " wide" } else { "" };
+        // On paper a short table stays together, and a long one has no other beside it.
+        let length = match self.rows.len() {
+            0..=SHORT => " short",
+            rows if rows >= LONG => " long",
+            _ => "",
+        };
+        let _ = write!(out, "<figure class=\"table{wide}{length}\" id=\"{}\">\n<figcaption><b>", self.id);
         push_rich(&mut out, &self.title);
         out.push_str("</b>");
         if !self.note.is_empty() {
@@ -345,19 +364,20 @@ mod tests {
             "",
             vec![
                 (Column::words("who"), vec![Cell::text("a, b"), Cell::text("<c>")]),
-                (Column::numbers("force", "N"), column_cells([12345.678, -1e-13], 5, 1e-9)),
+                (Column::numbers("force", "N"), own_cells([12345.678, -1e-13], 5)),
             ],
         )
     }
 
     #[test]
     fn snap_text() {
-        insta::assert_snapshot!(sample().text(), @r"
+        // Groups of digits stand apart by a space at which no line breaks.
+        insta::assert_snapshot!(sample().text().replace(number::NO_BREAK, "_"), @r"
         Sample F_x
           who    force
                    [N]
           ----  ------
-          a, b  12 346
+          a, b  12_346
           <c>        0
         ");
     }

@@ -1,14 +1,43 @@
 //! A search over layouts in words and tables: the space, what became of its cases, the front, the engine of the file.
 
 use crate::kit::number;
+use crate::kit::rounding::{below, clean, largest_moment};
 use crate::kit::table::{Cell, Column, Table, column_cells, words};
 use lanchester_study::explore::{
     Choice, ExploreAnswer, FoundLayout, GivenEngine, JudgedBy, Objective, Removes, Sense,
 };
 use std::f64::consts::TAU;
 
-/// Loads [N], [N m] below this are rounding.
-const NOISE: f64 = 1e-6;
+/// Below this what `objective` says is rounding [its SI unit]: beside the largest of its kind of any layout that the search
+/// tells of, and of the engine of the file.
+fn noise(answer: &ExploreAnswer, objective: Objective) -> f64 {
+    let unit = |objective| printed(objective).1;
+    let largest = |wanted: &'static str| {
+        let places: Vec<usize> = (0..answer.objectives.len())
+            .filter(|&k| unit(answer.objectives[k].objective) == wanted)
+            .collect();
+        let layouts = answer.front.iter().chain(&answer.ranking);
+        let judged = layouts.clone().map(|l| &l.values).chain(answer.sample.iter().map(|case| &case.values));
+        let values = judged.flat_map(|values| places.iter().map(|&k| values[k]));
+        let given = answer.given.iter().flat_map(|given| places.iter().filter_map(|&k| given.values[k]));
+        let free =
+            layouts.flat_map(|l| [1, 2].map(|order| free_loads(l, order))).map(
+                |[force, couple]| match wanted {
+                    "N" => force,
+                    "N m" => couple,
+                    _ => 0.0,
+                },
+            );
+        values.chain(given).chain(free).filter(|v| v.is_finite()).fold(0.0, |most: f64, v| most.max(v.abs()))
+    };
+    below(match unit(objective) {
+        "N m" => largest_moment(largest("N m"), largest("N")),
+        // Angles beside the turn that they are part of, shares and counts beside one.
+        "deg" => TAU,
+        "" => 1.0,
+        other => largest(other),
+    })
+}
 
 /// An objective as a head of a column: its name in short, its unit in print, and what SI is multiplied by.
 pub(crate) fn printed(objective: Objective) -> (String, &'static str, f64) {
@@ -121,7 +150,8 @@ fn table(id: &'static str, title: String, answer: &ExploreAnswer, layouts: &[Fou
     for (place, judged) in answer.objectives.iter().enumerate() {
         let (header, unit, factor) = printed(judged.objective);
         let values = layouts.iter().map(|layout| layout.values[place] * factor);
-        columns.push((Column::numbers(header, unit), column_cells(values, 4, NOISE)));
+        let noise = factor * noise(answer, judged.objective);
+        columns.push((Column::numbers(header, unit), column_cells(values, 4, noise)));
     }
     let judged = |objective| answer.objectives.iter().any(|judged| judged.objective == objective);
     for order in [1, 2] {
@@ -129,17 +159,25 @@ fn table(id: &'static str, title: String, answer: &ExploreAnswer, layouts: &[Fou
             if !judged(objective) {
                 let (header, unit, _) = printed(objective);
                 let values = layouts.iter().map(|layout| free_load(layout, objective));
-                columns.push((Column::numbers(header, unit), column_cells(values, 4, NOISE)));
+                columns
+                    .push((Column::numbers(header, unit), column_cells(values, 4, noise(answer, objective))));
             }
         }
     }
     if !judged(Objective::FiringUnevenness) && layouts.iter().any(|layout| layout.unevenness.is_some()) {
-        let values = layouts.iter().map(|layout| layout.unevenness.unwrap_or(f64::NAN).to_degrees());
-        columns.push((Column::numbers("uneven firing", "deg"), column_cells(values, 4, NOISE)));
+        let (header, unit, factor) = printed(Objective::FiringUnevenness);
+        let values = layouts.iter().map(|layout| factor * layout.unevenness.unwrap_or(f64::NAN));
+        let noise = factor * noise(answer, Objective::FiringUnevenness);
+        columns.push((Column::numbers(header, unit), column_cells(values, 4, noise)));
     }
     let alike = layouts.iter().map(|layout| number(layout.alike as f64)).collect();
     columns.push((Column::numbers("alike", ""), alike));
     Table::of_columns(id, title, "", columns)
+}
+
+/// Free force [N] and couple [N m] of a layout in an order, in both senses together.
+fn free_loads(layout: &FoundLayout, order: u32) -> [f64; 2] {
+    [free_load(layout, Objective::Force { order }), free_load(layout, Objective::Couple { order })]
 }
 
 /// A free force or couple of a layout.
@@ -247,7 +285,7 @@ fn given_words(answer: &ExploreAnswer, given: &GivenEngine) -> String {
         .map(|(JudgedBy { objective, .. }, value)| {
             let (name, unit, factor) = printed(*objective);
             let value = value.map_or("not known".to_owned(), |value| {
-                let value = if value.abs() < NOISE { 0.0 } else { value * factor };
+                let value = factor * clean(value, noise(answer, *objective));
                 format!("{} {unit}", number::terminal(value, number::decimals(value.abs(), 4)))
             });
             format!("{name} {}", value.trim_end())

@@ -6,8 +6,9 @@ use crate::kit::figure::{Panel, STYLE};
 use crate::kit::magnitude::Magnitude;
 use crate::kit::number;
 use crate::kit::plot::{Bar, CaseBars};
+use crate::kit::rounding;
 use crate::kit::svg::escape;
-use crate::kit::table::{Cell, Column, Table, column_cells, push_rich};
+use crate::kit::table::{Cell, Column, Table, own_cells, push_rich};
 use crate::loads::component::Component;
 use crate::loads::over_angle::{self, part_panels};
 use crate::page::Provenance;
@@ -215,7 +216,7 @@ fn maxima_table(arrangements: &[ArrangementResult]) -> Table {
                 let value = value(a);
                 if value <= noise(m) { 0.0 } else { value }
             });
-            column_cells(values, 4, 0.0)
+            own_cells(values, 4)
         };
     let component = |c: Component| {
         column(&move |a| c.extremes(&a.loads.total.peaks).max_abs(), &move |m| c.noise(m), &noise)
@@ -322,7 +323,7 @@ fn optima_table(arrangements: &[ArrangementResult], load: CrankLoad) -> Option<T
     let decimals = number::decimals(largest, 5);
     let cell = |value: Option<f64>| {
         value.map_or(Cell::Empty, |value| Cell::Number {
-            value: if value.abs() < 1e-9 * largest { 0.0 } else { value },
+            value: rounding::clean(value, rounding::below(largest)),
             decimals,
         })
     };

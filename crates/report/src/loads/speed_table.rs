@@ -2,7 +2,7 @@
 
 use crate::kit::magnitude::Magnitude;
 use crate::kit::number;
-use crate::kit::table::{Cell, Column, Table, column_cells};
+use crate::kit::table::{Cell, Column, Table, own_cells};
 use lanchester_mechanism::Loads;
 use lanchester_model::Engine;
 
@@ -23,7 +23,7 @@ pub fn speed_table(engine: &Engine, loads: &Loads) -> Option<Table> {
         (0..STEPS).map(|step| lowest + (highest - lowest) * f64::from(step) / f64::from(STEPS - 1)).collect();
     let column = |peak: f64, noise: f64| {
         let peak = if peak <= noise { 0.0 } else { peak };
-        column_cells(speeds.iter().map(|speed| peak * (speed / loads.speed).powi(2)), 4, 0.0)
+        own_cells(speeds.iter().map(|speed| peak * (speed / loads.speed).powi(2)), 4)
     };
     let rpm = speeds.iter().map(|speed| Cell::Number { value: number::rpm(*speed), decimals: 0 }).collect();
     Some(Table::of_columns(

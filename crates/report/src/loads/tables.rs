@@ -2,7 +2,7 @@
 
 use crate::kit::magnitude::Magnitude;
 use crate::kit::number;
-use crate::kit::table::{Cell, Column, Table, column_cells};
+use crate::kit::table::{Cell, Column, Table, column_cells, own_cells};
 use crate::loads::component::Component;
 use lanchester_mechanism::{Loads, Part};
 use lanchester_results::{Extremes, LoadSet, OrderLoads, Peaks};
@@ -127,6 +127,17 @@ fn vanishing_orders(orders: &[OrderLoads], gone: &[usize]) -> String {
 
 const ORDERS_NOTE: &str = "Phases are the directions of the arrows at θ = 0, from +x towards +y; the peak of one order is the sum of both amplitudes.";
 
+/// Resultants and roll moment alone, for a first page.
+pub fn peaks_in_short(loads: &Loads) -> Table {
+    let mut table = peaks_table(loads);
+    table.id = "summary-peaks";
+    table.rows.retain(|row| {
+        let wanted = ["Resultant", "Roll moment"];
+        matches!(&row[0], Cell::Text(name) if wanted.iter().any(|own| name.starts_with(own)))
+    });
+    table
+}
+
 /// Force by order.
 pub fn force_orders_table(loads: &Loads) -> Table {
     TwoSided {
@@ -242,16 +253,10 @@ pub fn motion_table(loads: &Loads) -> Table {
         (Column::numbers("cylinder", ""), motion.iter().map(|m| whole(m.cylinder)).collect()),
         (Column::numbers("TDC", "deg"), degrees(motion.iter().map(|m| m.top_dead_centre).collect())),
         (Column::numbers("BDC", "deg"), degrees(motion.iter().map(|m| m.bottom_dead_centre).collect())),
-        (Column::numbers("stroke", "mm"), column_cells(motion.iter().map(|m| 1e3 * m.stroke), 5, 0.0)),
-        (Column::numbers("max speed", "m/s"), column_cells(motion.iter().map(|m| m.max_speed), 4, 0.0)),
-        (
-            Column::numbers("at TDC end", "m/s²"),
-            column_cells(motion.iter().map(|m| m.max_deceleration), 5, 0.0),
-        ),
-        (
-            Column::numbers("at BDC end", "m/s²"),
-            column_cells(motion.iter().map(|m| m.max_acceleration), 5, 0.0),
-        ),
+        (Column::numbers("stroke", "mm"), own_cells(motion.iter().map(|m| 1e3 * m.stroke), 5)),
+        (Column::numbers("max speed", "m/s"), own_cells(motion.iter().map(|m| m.max_speed), 4)),
+        (Column::numbers("at TDC end", "m/s²"), own_cells(motion.iter().map(|m| m.max_deceleration), 5)),
+        (Column::numbers("at BDC end", "m/s²"), own_cells(motion.iter().map(|m| m.max_acceleration), 5)),
         (Column::numbers("rod swing", "deg"), degrees(motion.iter().map(|m| m.max_rod_angle).collect())),
     ];
     if motion.iter().any(|m| m.firing_angle.is_some()) {
@@ -275,7 +280,7 @@ pub fn articulation_table(loads: &Loads) -> Option<Table> {
     if slaves.is_empty() {
         return None;
     }
-    let millimetres = |f: &dyn Fn(usize) -> f64| column_cells((0..slaves.len()).map(|k| 1e3 * f(k)), 5, 0.0);
+    let millimetres = |f: &dyn Fn(usize) -> f64| own_cells((0..slaves.len()).map(|k| 1e3 * f(k)), 5);
     let shift = |v: f64| Cell::Number { value: v.to_degrees(), decimals: 2 };
     Some(Table::of_columns(
         "articulation",
@@ -318,7 +323,7 @@ pub fn rod_inertia_table(loads: &Loads) -> Option<Table> {
             (Column::numbers("cylinder", ""), rods.iter().map(|m| whole(m.cylinder)).collect()),
             (
                 Column::numbers("m_A a² + m_B b² − I", "kg mm²"),
-                column_cells(rods.iter().map(|m| 1e6 * m.residual_inertia), 4, 0.0),
+                own_cells(rods.iter().map(|m| 1e6 * m.residual_inertia), 4),
             ),
         ],
     ))

@@ -1,6 +1,7 @@
 //! Tables of the block on its mounts.
 
 use crate::kit::number;
+use crate::kit::rounding::among;
 use crate::kit::table::{Cell, Column, Table, column_cells, numbers, words};
 use lanchester_mechanism::{
     COORDINATES, DampedMode, MountMode, MountStudy, OrderResponse, SpeedResponse, vector_amplitude,
@@ -10,9 +11,6 @@ use std::f64::consts::TAU;
 
 /// Most rows of a table against speed.
 const ROWS: usize = 13;
-
-/// What is below this share of the largest force is left out.
-const VANISHING: f64 = 1e-9;
 
 /// Mass, centre and inertia of what moves, in a sentence.
 pub fn mounted_body_words(study: &MountStudy) -> String {
@@ -178,7 +176,7 @@ fn order_columns(
 ) -> (Vec<usize>, Vec<(Column, Vec<Cell>)>) {
     let sizes: Vec<Vec<f64>> =
         at.orders.iter().map(|o| forces(o).iter().map(vector_amplitude).collect()).collect();
-    let noise = VANISHING * sizes.iter().flatten().copied().fold(0.0, f64::max);
+    let noise = among(sizes.iter().flatten().copied());
     let gone = (0..sizes.len()).filter(|&k| sizes[k].iter().all(|f| *f <= noise)).collect();
     let mut columns = vec![
         words("order", at.orders.iter().map(|o| number::order(o.order))),

@@ -1,12 +1,14 @@
 //! What an answer does, every quantity once: its criteria and what else its weights change, as one table.
 
 use crate::kit::number;
+use crate::kit::rounding::clean;
 use crate::kit::table::{Cell, Column, Table};
 use crate::optimum::consequence_tables::{part_name, shown};
+use crate::optimum::effect_noise::effect_noise;
 use crate::optimum::tables::{effects_table, factor, shown_unit};
 use lanchester_balance::{Affected, AffectedPart, Answer, Change, Consequence, Consequences, Effect};
 use lanchester_model::Engine;
-use lanchester_task::{Criterion, Load, Mains, criterion_name, criterion_unit};
+use lanchester_task::{Criterion, Load, Mains, criterion_name};
 
 /// Digits of the largest number of a row.
 const DIGITS: i32 = 5;
@@ -70,6 +72,39 @@ pub(crate) fn before_and_after_table(
     Some(table)
 }
 
+/// Quantities of the whole engine, for a first page.
+const IN_SHORT: [&str; 8] = [
+    "force",
+    "couple",
+    "roll moment",
+    "mount force",
+    "main-bearing load",
+    "bending moment",
+    "counterweight mass",
+    "balance-shaft unbalance",
+];
+
+/// The same of the engine as a whole alone: force, couple, roll moment, mounts, the most loaded main bearing, bending, and
+/// what the weights come to.
+pub fn before_and_after_in_short(
+    engine: &Engine,
+    answer: &Answer,
+    consequences: Option<&Consequences>,
+) -> Option<Table> {
+    let mut table = before_and_after_table(engine, answer, consequences)?;
+    table.id = "summary-before-and-after";
+    table.note =
+        "Inertia at the highest speed, peaks over the cycle, unless the name says otherwise.".to_owned();
+    table.remark = String::new();
+    table.rows.retain(|row| {
+        let quantity = matches!(&row[0], Cell::Text(name) if IN_SHORT.contains(&name.as_str()));
+        let engine = !matches!(&row[1], Cell::Text(at) if at.starts_with("main "));
+        let nothing = row.iter().all(|cell| !matches!(cell, Cell::Number { value, .. } if *value != 0.0));
+        quantity && engine && !nothing
+    });
+    (!table.rows.is_empty()).then_some(table)
+}
+
 fn columns(rows: &[Row]) -> Vec<(Column, Vec<Cell>)> {
     let decimals = |row: &Row| {
         let largest = row.without.unwrap_or(0.0).abs().max(row.before.abs()).max(row.after.abs());
@@ -129,13 +164,9 @@ fn place_of(
 }
 
 fn effect_row(engine: &Engine, answer: &Answer, effect: &Effect, same: Option<&Consequence>) -> Row {
-    // What is rounding noise beside the row, or beside the largest of its unit, is nothing.
-    let unit = criterion_unit(&effect.criterion);
-    let alike = answer.effects.iter().filter(|other| criterion_unit(&other.criterion) == unit);
-    let largest =
-        alike.fold(0.0f64, |most, other| most.max(other.without).max(other.before).max(other.after));
+    let noise = effect_noise(engine, &answer.effects, &effect.criterion);
     let factor = factor(&effect.criterion);
-    let cleaned = |value: f64| if value.abs() <= 1e-9 * largest.max(1e-3) { 0.0 } else { factor * value };
+    let cleaned = |value: f64| factor * clean(value, noise);
     let [before, after] = [effect.before, effect.after].map(cleaned);
     let rise = after - before;
     let change = match rise {

@@ -1,8 +1,10 @@
 //! Exact cancellation in words and tables: what was to vanish, whether it does, and the proof.
 
+use crate::kit::magnitude::Magnitude;
 use crate::kit::number;
+use crate::kit::rounding::{below, clean};
 use crate::kit::table::{Cell, Column, Table};
-use lanchester_balance::{Answer, Cancellation, CancellationVerdict, Functional, OrderSense};
+use lanchester_balance::{Answer, Cancellation, CancellationVerdict, CancelledOrder, Functional, OrderSense};
 use lanchester_model::Engine;
 use lanchester_task::{criterion_name, criterion_unit};
 
@@ -42,7 +44,7 @@ pub(crate) fn cancellation_headline(engine: &Engine, answer: &Answer, cancellati
                 .iter()
                 .map(|o| {
                     let unit = criterion_unit(&o.criterion);
-                    let left = shown(o.left, o.without);
+                    let left = shown(engine, o, o.left);
                     format!("{} {} {unit}", criterion_name(&o.criterion, engine), number::short(left, 5))
                 })
                 .collect();
@@ -68,12 +70,12 @@ fn outcome_reason(answer: &Answer) -> &str {
 pub fn cancelled_orders_table(engine: &Engine, cancellation: &Cancellation) -> Table {
     let orders = &cancellation.orders;
     let vanish = matches!(cancellation.verdict, CancellationVerdict::Vanish { .. });
-    let cells = |of: fn(&lanchester_balance::CancelledOrder) -> f64| -> Vec<Cell> {
+    let cells = |of: fn(&CancelledOrder) -> f64| -> Vec<Cell> {
         orders
             .iter()
             .map(|o| {
                 let decimals = number::decimals(o.without.max(o.left), 5);
-                Cell::Number { value: shown(of(o), o.without), decimals }
+                Cell::Number { value: shown(engine, o, of(o)), decimals }
             })
             .collect()
     };
@@ -170,9 +172,10 @@ pub fn cancellation_proof_table(engine: &Engine, cancellation: &Cancellation) ->
     Some(table)
 }
 
-/// What is rounding beside the order without the devices is nothing.
-fn shown(value: f64, without: f64) -> f64 {
-    if value.abs() <= 1e-9 * without.max(1e-3) { 0.0 } else { value }
+/// A value of an order, or 0 where it is rounding beside that order without the devices, or beside all moving masses.
+fn shown(engine: &Engine, order: &CancelledOrder, value: f64) -> f64 {
+    let masses = Magnitude::of_masses(engine).noise_of_unit(criterion_unit(&order.criterion));
+    clean(value, masses.max(below(order.without)))
 }
 
 fn total_unit(is_mass: bool) -> (f64, &'static str) {

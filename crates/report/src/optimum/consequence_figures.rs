@@ -5,6 +5,7 @@ use crate::kit::axis::Axis;
 use crate::kit::figure::{Figure, Panel};
 use crate::kit::number::{self, Scale};
 use crate::kit::plot::{BOTTOM, HEIGHT, LEFT, Legend, RIGHT, WIDTH, value_axis};
+use crate::kit::rounding::{below, clean};
 use crate::kit::svg::{Anchor, Path, Svg};
 use lanchester_balance::{Affected, AffectedPart, BendingAlong, Consequences};
 use lanchester_model::Engine;
@@ -15,9 +16,6 @@ const FINENESS: usize = 8;
 
 /// Height of the bending plot below the crank [px].
 const PLOT: f64 = 190.0;
-
-/// Below this share of the largest, bars and curves are nothing.
-const NOTHING: f64 = 1e-9;
 
 /// Main-bearing loads and bending moments before and after, by crankshaft; `after` is the engine with the new weights.
 pub fn consequence_figures(after: &Engine, consequences: &Consequences) -> Vec<Figure> {
@@ -158,7 +156,7 @@ impl Pairs<'_> {
             let middle = LEFT + (place as f64 + 0.5) * width;
             for (class, value, x) in [("bar2", pair[0], middle - bar - 1.0), ("bar1", pair[1], middle + 1.0)]
             {
-                if value.abs() > NOTHING * largest {
+                if value.abs() > below(largest) {
                     let y = axis.place(value / scale.divisor, bottom, top);
                     svg.rect(class, x, y.min(zero), bar, (zero - y).abs());
                 }
@@ -206,7 +204,7 @@ fn bending(engine: &Engine, along: &BendingAlong) -> Panel {
     svg.text("muted small", ((LEFT + right) / 2.0, bottom + 37.0), Anchor::Middle, "z [mm]");
     for (moments, style) in [(&along.before, 2), (&along.after, 0)] {
         let points = sizes(&along.z, moments).into_iter().map(|(z, size)| {
-            let size = if size > NOTHING * largest { size } else { 0.0 };
+            let size = clean(size, below(largest));
             (place(z), axis.place(size / scale.divisor, bottom, top))
         });
         svg.path(&format!("s{style}"), &Path::through(points));

@@ -2,16 +2,14 @@
 
 use crate::engine::crank_view::crank_view;
 use crate::kit::figure::{Figure, Panel};
+use crate::kit::magnitude::Magnitude;
 use crate::kit::plot::{AnglePlot, Series};
 use crate::loads::share_plot::share_plots;
 use lanchester_balance::{Active, Answer};
 use lanchester_mechanism::Loads;
 use lanchester_model::Engine;
 use lanchester_results::Trace;
-use lanchester_task::{Criterion, Load, criterion_name};
-
-/// A force or moment below this [N], [N m] is rounding, and no curve is drawn of it.
-const FELT: f64 = 1e-6;
+use lanchester_task::{Criterion, Load, criterion_name, criterion_unit};
 
 /// All pictures of an answer: its loads over the crank angle, the crank with the weights that were found, and what each
 /// throw and each device adds. `before`: loads as the file stands, `after`: those of `fitted`, the engine with the answer.
@@ -50,7 +48,8 @@ fn optimum_plots(engine: &Engine, answer: &Answer, before: &Loads, after: &Loads
         {
             drawn.push(criterion);
             let highest = old.iter().chain(&new).fold(0.0f64, |most, value| most.max(*value));
-            if highest < FELT {
+            let magnitude = Magnitude::of(before);
+            if highest <= magnitude.noise_of_unit(criterion_unit(&criterion)) {
                 continue;
             }
             panels.push(panel(engine, active, criterion, (before, &old), (after, &new)));
@@ -88,7 +87,7 @@ fn panel(
     let repeated =
         |curve: &[f64]| -> Vec<f64> { (0..theta.len()).map(|k| curve[k % curve.len().max(1)]).collect() };
     let (old, new) = (repeated(old), repeated(new));
-    let unit = lanchester_task::criterion_unit(&criterion);
+    let unit = criterion_unit(&criterion);
     let active = active.iter().filter(|a| a.criterion == criterion && a.multiplier > 0.0);
     let step = longer.period / theta.len() as f64;
     let marks: Vec<(f64, f64)> = active

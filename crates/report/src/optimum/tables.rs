@@ -1,7 +1,9 @@
 //! The answer of a balancing question as tables.
 
 use crate::kit::number;
-use crate::kit::table::{Cell, Column, Table, column_cells, numbers, words};
+use crate::kit::rounding::{among, clean};
+use crate::kit::table::{Cell, Column, Table, column_cells, numbers, own_cells, words};
+use crate::optimum::effect_noise::effect_noise;
 use lanchester_balance::{Answer, Effect, FoundLimit, FoundStage, FoundWeight, LimitSide, Method, WebBound};
 use lanchester_model::Engine;
 use lanchester_task::{CatalogueHole, Criterion, Limit, Seat, criterion_name, criterion_unit};
@@ -48,17 +50,18 @@ pub fn found_weights_table(answer: &Answer) -> Table {
             format!("{} ({}\u{202f}×)", shaft.name, shaft.ratio.to_string().replace('-', "\u{2212}"))
         }
     };
-    let direction = |w: &FoundWeight| match w.used && w.unbalance.norm() > 0.0 {
+    let noise = among(weights.iter().map(|w| w.unbalance.norm()));
+    let direction = |w: &FoundWeight| match w.used && w.unbalance.norm() > noise {
         true => Cell::Number { value: number::phase_degrees(w.unbalance.arg()), decimals: 2 },
         false => Cell::Empty,
     };
     let mut columns = vec![
         (Column::words("weight"), weights.iter().map(|w| Cell::text(&w.name)).collect()),
         (Column::words("on"), (0..weights.len()).map(|k| Cell::text(seat(k))).collect()),
-        (Column::numbers("z", "mm"), column_cells(weights.iter().map(|w| 1e3 * w.z), 5, 1e-9)),
+        (Column::numbers("z", "mm"), own_cells(weights.iter().map(|w| 1e3 * w.z), 5)),
         (
             Column::numbers("unbalance", "g mm"),
-            column_cells(weights.iter().map(|w| 1e6 * w.unbalance.norm()), 6, 1e-6),
+            column_cells(weights.iter().map(|w| 1e6 * w.unbalance.norm()), 6, 1e6 * noise),
         ),
         (Column::numbers("direction", "deg"), weights.iter().map(direction).collect()),
     ];
@@ -140,8 +143,8 @@ pub fn found_shafts_table(answer: &Answer) -> Option<Table> {
         vec![
             (Column::words("shaft"), answer.shafts.iter().map(|s| Cell::text(&s.name)).collect()),
             (Column::numbers("speed ratio", ""), (0..answer.shafts.len()).map(ratio).collect()),
-            (Column::numbers("x", "mm"), column_cells(answer.shafts.iter().map(|s| 1e3 * s.x), 4, 1e-9)),
-            (Column::numbers("y", "mm"), column_cells(answer.shafts.iter().map(|s| 1e3 * s.y), 4, 1e-9)),
+            (Column::numbers("x", "mm"), own_cells(answer.shafts.iter().map(|s| 1e3 * s.x), 4)),
+            (Column::numbers("y", "mm"), own_cells(answer.shafts.iter().map(|s| 1e3 * s.y), 4)),
             (
                 Column::words("used"),
                 answer.shafts.iter().map(|s| Cell::text(if s.used { "yes" } else { "no" })).collect(),
@@ -162,10 +165,7 @@ pub fn found_inertias_table(answer: &Answer) -> Option<Table> {
         "What each leaves of the crank train's roll moment.",
         vec![
             (Column::words("inertia"), inertias.iter().map(|i| Cell::text(&i.name)).collect()),
-            (
-                Column::numbers("inertia", "kg cm²"),
-                column_cells(inertias.iter().map(|i| 1e4 * i.inertia), 5, 0.0),
-            ),
+            (Column::numbers("inertia", "kg cm²"), own_cells(inertias.iter().map(|i| 1e4 * i.inertia), 5)),
             (
                 Column::numbers("roll moment left", "%"),
                 inertias.iter().map(|i| Cell::Number { value: 100.0 * i.roll_share, decimals: 1 }).collect(),
@@ -177,13 +177,8 @@ pub fn found_inertias_table(answer: &Answer) -> Option<Table> {
 /// Every criterion without the free weights, as the file stands, and with the answer.
 pub fn effects_table(engine: &Engine, answer: &Answer) -> Table {
     let effects = &answer.effects;
-    // The three numbers of a row share its decimals; what is rounding noise beside the row, or beside the largest of
-    // its unit, is nothing.
-    let cleaned = |e: &Effect, value: f64| {
-        let alike = effects.iter().filter(|o| criterion_unit(&o.criterion) == criterion_unit(&e.criterion));
-        let largest = alike.fold(0.0f64, |m, o| m.max(o.without).max(o.before).max(o.after));
-        if value.abs() <= 1e-9 * largest.max(1e-3) { 0.0 } else { value }
-    };
+    // The three numbers of a row share its decimals.
+    let cleaned = |e: &Effect, value: f64| clean(value, effect_noise(engine, effects, &e.criterion));
     let cells = |of: fn(&Effect) -> f64| -> Vec<Cell> {
         let cell = |e: &Effect| {
             let largest = e.without.abs().max(e.before.abs()).max(e.after.abs()) * factor(&e.criterion);
@@ -353,7 +348,8 @@ fn gap(answer: &Answer, stage: &FoundStage) -> String {
     };
     let terms = stage.terms.iter().zip(&stage.term_weights);
     let unbalanced: f64 = terms.map(|((criterion, _), weight)| weight * without(criterion)).sum();
-    // Where there is nothing to balance, 1e-9 N or N m is rounding.
+    // A gap belongs to the solver's promise and not to the rule of rounding in print; where there is nothing to balance,
+    // 1e-9 N or N m closes it.
     match stage.gap <= (1e-8 * stage.value.max(1e-6 * unbalanced)).max(1e-9) {
         true => "closed".to_owned(),
         false => format!("{:.1e}", stage.gap),

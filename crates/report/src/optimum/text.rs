@@ -2,9 +2,11 @@
 
 use crate::kit::number;
 use crate::kit::paragraph::push_wrapped;
+use crate::kit::rounding::clean;
 use crate::optimum::before_after::before_and_after_table;
 use crate::optimum::cancellation::{cancellation_headline, cancellation_proof_table, cancelled_orders_table};
 use crate::optimum::consequence_text::consequence_words;
+use crate::optimum::effect_noise::effect_noise;
 use crate::optimum::give_up::give_up_words;
 use crate::optimum::tables::{
     closest_table, found_inertias_table, found_shafts_table, found_weights_table, limits_table, stage_name,
@@ -163,9 +165,8 @@ fn gap_words(answer: &Answer) -> String {
 fn reached_words(engine: &Engine, answer: &Answer, stage: &FoundStage) -> String {
     let term = |(criterion, value): &(Criterion, f64)| {
         let before = answer.effects.iter().find(|e| e.criterion == *criterion).map(|e| e.before);
-        // What is rounding noise beside the file's own is nothing.
-        let noise = 1e-9 * before.map_or(0.0, f64::abs).max(1e-3);
-        let value = if value.abs() <= noise { 0.0 } else { *value };
+        let noise = effect_noise(engine, &answer.effects, criterion);
+        let (value, before) = (clean(*value, noise), before.map(|value| clean(value, noise)));
         let unit = criterion_unit(criterion);
         let name = criterion_name(criterion, engine);
         match before {
@@ -216,8 +217,7 @@ pub fn search_state_words(engine: &Engine, state: &SearchState) -> String {
 /// What decided among answers that are equally good; empty where nothing but the weights did.
 pub fn equals_words(engine: &Engine, answer: &Answer) -> String {
     let terms = answer.among_equals.iter().flat_map(|stage| &stage.terms).map(|(criterion, value)| {
-        let without = answer.effects.iter().find(|e| e.criterion == *criterion).map_or(0.0, |e| e.without);
-        let value = if value.abs() <= 1e-9 * without.max(1e-3) { 0.0 } else { *value };
+        let value = clean(*value, effect_noise(engine, &answer.effects, criterion));
         let unit = criterion_unit(criterion);
         format!("the least {} ({} {unit})", criterion_name(criterion, engine), number::short(value, 5))
     });

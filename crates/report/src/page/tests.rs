@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::sample;
-use crate::{engine_section, loads_sections, motion_section};
+use crate::{engine_section, loads_sections, motion_section, peaks_in_short};
 use lanchester_file::templates;
 use lanchester_mechanism::{LoadRequest, Loads};
 use lanchester_model::{BalanceShaft, Engine, Mount, Ratio, ShaftWeight};
@@ -86,7 +86,14 @@ fn page(engine: &Engine, loads: &Loads, warnings: &[String]) -> String {
         input_hash: "0".to_owned(),
         settings: vec![("motion".to_owned(), "exact".to_owned())],
     };
-    let head = ReportHead { engine, speed: loads.speed, provenance: &provenance, warnings };
+    let key_numbers = peaks_in_short(loads);
+    let head = ReportHead {
+        engine,
+        speed: loads.speed,
+        provenance: &provenance,
+        warnings,
+        key_numbers: &key_numbers,
+    };
     report(&head, &sections(engine, loads))
 }
 

@@ -1,7 +1,10 @@
 //! A published method with the true optimum of the same devices beside it, as tables.
 
+use crate::kit::magnitude::Magnitude;
 use crate::kit::number;
-use crate::kit::table::{Cell, Column, Table, column_cells};
+use crate::kit::rounding::{among, below, clean};
+use crate::kit::table::{Cell, Column, Table, column_cells, own_cells};
+use crate::optimum::effect_noise::effect_noise;
 use lanchester_balance::Effect;
 use lanchester_literature::{
     BalancerPhase, Basis, Equilibrium, MatrixBalance, MethodAnswer, MethodFound, MethodWeight as Weight,
@@ -14,12 +17,12 @@ use num_complex::Complex64;
 /// Every weight of the method, and what the optimum has in its place.
 pub fn method_weights_table(answer: &MethodAnswer) -> Table {
     let weights = &answer.weights;
-    let largest = weights.iter().fold(0.0f64, |m, w| m.max(w.unbalance.norm()).max(w.optimum.norm()));
+    let noise = among(weights.iter().flat_map(|w| [w.unbalance.norm(), w.optimum.norm()]));
     let amounts = |of: fn(&Weight) -> Complex64| {
-        column_cells(weights.iter().map(|w| 1e6 * of(w).norm()), 6, 1e-3 * largest)
+        column_cells(weights.iter().map(|w| 1e6 * of(w).norm()), 6, 1e6 * noise)
     };
     let directions = |of: fn(&Weight) -> Complex64| -> Vec<Cell> {
-        let direction = |w: &Weight| match of(w).norm() > 1e-9 * largest {
+        let direction = |w: &Weight| match of(w).norm() > noise {
             true => Cell::Number { value: number::phase_degrees(of(w).arg()), decimals: 2 },
             false => Cell::Empty,
         };
@@ -32,7 +35,7 @@ pub fn method_weights_table(answer: &MethodAnswer) -> Table {
     let mut columns = vec![
         (Column::words("weight"), weights.iter().map(|w| Cell::text(&w.name)).collect()),
         (Column::words("on"), weights.iter().map(seat).collect()),
-        (Column::numbers("z", "mm"), column_cells(weights.iter().map(|w| 1e3 * w.z), 5, 1e-9)),
+        (Column::numbers("z", "mm"), own_cells(weights.iter().map(|w| 1e3 * w.z), 5)),
     ];
     if weights.iter().any(|w| w.mass.is_some()) {
         let mass = |w: &Weight| w.mass.map_or(Cell::Empty, |m| Cell::Number { value: 1e3 * m, decimals: 1 });
@@ -62,19 +65,14 @@ pub fn method_orders_table(answer: &MethodAnswer) -> Table {
             (0..orders.len()).flat_map(move |k| (0..2).map(move |sense| (k, first + sense, *name, *unit)))
         })
         .collect();
-    // Rounding is what is small beside the largest of its kind without any device.
-    let noise = |at: usize| {
-        let pair = [at & 2, (at & 2) + 1];
-        let all = orders.iter().flat_map(|o| pair.map(|p| o.without[p].max(o.method[p]).max(o.optimum[p])));
-        1e-9 * all.fold(0.0, f64::max).max(1e3)
-    };
+    let masses = Magnitude::of_masses(&answer.fitted);
+    let noise = |at: usize| if at < 2 { masses.force_noise() } else { masses.couple_noise() };
     let cells = |of: fn(&OrderLeft) -> [f64; 4]| -> Vec<Cell> {
         rows.iter()
             .map(|&(k, at, ..)| {
                 let o = &orders[k];
                 let largest = o.without[at].max(o.method[at]).max(o.optimum[at]);
-                let value = of(o)[at];
-                let value = if value <= noise(at) { 0.0 } else { value };
+                let value = clean(of(o)[at], noise(at));
                 Cell::Number { value, decimals: number::decimals(largest, 6).min(3) }
             })
             .collect()
@@ -116,11 +114,7 @@ pub fn method_orders_table(answer: &MethodAnswer) -> Table {
 /// Peaks over the cycle without the devices, with the method, with the optimum, and what the method leaves over it.
 pub fn method_effects_table(engine: &Engine, answer: &MethodAnswer) -> Table {
     let effects = &answer.optimum.effects;
-    let cleaned = |e: &Effect, value: f64| {
-        let alike = effects.iter().filter(|o| criterion_unit(&o.criterion) == criterion_unit(&e.criterion));
-        let largest = alike.fold(0.0f64, |m, o| m.max(o.without).max(o.before).max(o.after));
-        if value.abs() <= 1e-9 * largest.max(1e-3) { 0.0 } else { value }
-    };
+    let cleaned = |e: &Effect, value: f64| clean(value, effect_noise(engine, effects, &e.criterion));
     let cells = |of: fn(&Effect) -> f64| -> Vec<Cell> {
         let cell = |e: &Effect| {
             let largest = e.without.abs().max(e.before.abs()).max(e.after.abs());
@@ -281,10 +275,7 @@ impl Numbers {
 
     fn table(self, note: String, other: &'static str) -> Table {
         let cell = |value: Option<f64>| {
-            value.map_or(Cell::Empty, |v| {
-                let value = if v.abs() < 1e-9 { 0.0 } else { v };
-                Cell::Number { value, decimals: number::decimals(value, 5).min(5) }
-            })
+            value.map_or(Cell::Empty, |v| Cell::Number { value: v, decimals: number::decimals(v, 5).min(5) })
         };
         let mut columns = vec![
             (Column::words("quantity"), self.rows.iter().map(|r| Cell::text(&r.0)).collect()),
@@ -310,7 +301,7 @@ pub fn equilibrium_table(answer: &MethodAnswer) -> Option<Table> {
     let cells = |of: fn(&Equilibrium) -> f64| -> Vec<Cell> {
         let cell = |k: usize| {
             let value = of(&equations[k]);
-            let value = if value.abs() <= 1e-9 * largest(k).max(1e-9) { 0.0 } else { 1e3 * value };
+            let value = 1e3 * clean(value, below(largest(k)));
             Cell::Number { value, decimals: number::decimals(1e3 * largest(k), 5) }
         };
         (0..4).map(cell).collect()

@@ -2,8 +2,10 @@
 
 use crate::kit::number;
 use crate::kit::paragraph::push_wrapped;
+use crate::kit::rounding::clean;
 use crate::optimum::consequence_tables::consequences_table;
 use crate::optimum::consequence_text::consequence_words;
+use crate::optimum::effect_noise::effect_noise;
 use crate::optimum::tables::stages_table;
 use crate::published::tables::{
     equilibrium_table, method_effects_table, method_numbers_table, method_orders_table, method_weights_table,
@@ -84,8 +86,8 @@ fn verdict(engine: &Engine, answer: &MethodAnswer) -> String {
     });
     let words: Vec<String> = judged
         .map(|e| {
-            let noise = 1e-9 * e.without.abs().max(e.before.abs()).max(1e-3);
-            let [before, after] = [e.before, e.after].map(|v| if v.abs() <= noise { 0.0 } else { v });
+            let noise = effect_noise(engine, &answer.optimum.effects, &e.criterion);
+            let [before, after] = [e.before, e.after].map(|v| clean(v, noise));
             let unit = criterion_unit(&e.criterion);
             let name = criterion_name(&e.criterion, engine);
             let close = (before - after).abs() <= 1e-6 * e.without.abs().max(before);

@@ -13,7 +13,8 @@ use std::f64::consts::TAU;
 const SHOWN: f64 = 6.0;
 const MOST: f64 = 24.0;
 
-/// Orders below this share of the largest of every kind are left out of the table.
+/// Orders below this share of the largest of every kind are left out of the table: not rounding in print (`kit::rounding`)
+/// but what the integrator's tolerances leave open.
 const NOTHING: f64 = 1e-6;
 
 /// One order of the last period: what the crank train does to the block and at its shaft, and how speed and block follow.

@@ -112,7 +112,7 @@ impl CrankFatigue {
         points.all(|point| holds(point.safety_of_all) && holds(point.safety_of_amplitude))
     }
 
-    fn lead(&self) -> String {
+    pub(crate) fn lead(&self) -> String {
         let Some((speed, fillet)) = self.worst() else { return "No fillet has a stress.".to_owned() };
         let safety = |own: Option<f64>| own.map_or("unlimited".to_owned(), |own| number::short(own, 3));
         let at = fillet.at.map(|x| number::short(1e3 * x, 4)).join(", ");

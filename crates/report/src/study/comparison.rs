@@ -4,7 +4,7 @@ use crate::kit::axis::Axis;
 use crate::kit::figure::{Figure, Panel};
 use crate::kit::number::{self, Scale};
 use crate::kit::svg::{Anchor, Svg, text_width, wrap};
-use crate::kit::table::{Cell, Column, Table, column_cells, numbers, words};
+use crate::kit::table::{Cell, Column, Table, numbers, own_cells, words};
 use lanchester_study::compare::{Compared, Comparison, Criterion, Equal, Held, Leading, Place, Ranking};
 
 /// What an engine is called beside the others: its name, what it got, or both.
@@ -79,7 +79,7 @@ fn optional(
     if values.iter().all(Option::is_none) {
         return None;
     }
-    let mut known = column_cells(values.iter().flatten().copied(), digits, 1e-9).into_iter();
+    let mut known = own_cells(values.iter().flatten().copied(), digits).into_iter();
     let cells = values.iter().map(|value| value.and_then(|_| known.next()).unwrap_or(Cell::Empty));
     Some((Column::numbers(header, unit), cells.collect()))
 }

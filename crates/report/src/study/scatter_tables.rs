@@ -1,6 +1,7 @@
 //! Production scatter: loads, limits, and what to tighten first.
 
 use crate::kit::number;
+use crate::kit::rounding::{below, clean};
 use crate::kit::table::{Cell, Column, Table, column_cells, numbers, words};
 use crate::study::sensitivity_tables::measure_unit;
 use lanchester_study::scatter::{OutputScatter, ScatterStudy, TOLD_SHARES};
@@ -32,7 +33,7 @@ pub fn scatter_table(study: &ScatterStudy) -> Table {
         words("unit", outputs().map(|own| own.output.unit().to_owned())),
         mixed(
             "nominal",
-            outputs().zip(&study.worst_cases).map(|(own, worst)| clean(own.nominal, worst.bound)),
+            outputs().zip(&study.worst_cases).map(|(own, worst)| clean(own.nominal, below(worst.bound))),
             4,
         ),
         mixed("mean", outputs().map(|own| own.mean), 4),
@@ -52,11 +53,6 @@ pub fn scatter_table(study: &ScatterStudy) -> Table {
         study.scatter.seed
     );
     Table::of_columns("scatter", "Residual loads of the production", note, columns)
-}
-
-/// Rounding of balanced loads is nothing.
-fn clean(value: f64, scale: f64) -> f64 {
-    if value <= 1e-9 * scale { 0.0 } else { value }
 }
 
 /// The limits; `None` without any.

@@ -7,7 +7,8 @@ use lanchester_study::sensitivity::{
 };
 use lanchester_task::Varied;
 
-/// Effects below this share of the largest one of an output are none.
+/// Effects below this share of the largest one of an output are none: not rounding in print (`kit::rounding`) but what is
+/// worth a row.
 const NOTHING: f64 = 1e-6;
 
 /// Slopes that make less than this share of a change are none.

@@ -4,6 +4,7 @@ use crate::kit::axis::Axis;
 use crate::kit::figure::{Figure, Panel};
 use crate::kit::number;
 use crate::kit::plot::{AnglePlot, Bar, BarPlot, LEFT, RIGHT, Series, WIDTH};
+use crate::kit::rounding::below;
 use crate::kit::svg::{Anchor, Svg};
 use crate::kit::xy_plot::{XyCurve, XyPlot};
 use lanchester_mechanism::{FiringChart, PowerCurve, RippleOutcome, SpeedRipple, Torque};
@@ -108,7 +109,7 @@ fn pressure_volume(torque: &Torque) -> Figure {
 }
 
 fn orders(torque: &Torque) -> Figure {
-    let noise = 1e-9 * torque.total_extremes.max_abs();
+    let noise = below(torque.total_extremes.max_abs());
     let bars = |quantity, of: fn(&lanchester_mechanism::TorqueHarmonic) -> f64| {
         let listed = torque.harmonics.iter().filter(|h| h.order > 0.0);
         let bars = listed.map(|h| Bar { at: h.order, value: of(h) }).collect();
@@ -207,7 +208,8 @@ fn firing_star(firing: &FiringChart) -> Figure {
     let panel = Panel::new(svg, format!("Sequence of firing: {}.", said.join(", ")));
     let caption = "Throws as they stand at theta = 0, x up, seen so that the crank turns clockwise; numbers count the firings.";
     let stars: Vec<Bar> = firing.stars.iter().map(|s| Bar { at: s.order, value: s.share }).collect();
-    let bars = BarPlot { quantity: "Share", unit: "1", bars: stars, noise: 1e-9, two_sided: false }.panel();
+    let bars =
+        BarPlot { quantity: "Share", unit: "1", bars: stars, noise: below(1.0), two_sided: false }.panel();
     Figure {
         columns: 2,
         ..figure(

@@ -60,14 +60,15 @@ pub fn torque_section(input: &TorqueInput<'_>) -> Section {
     tables.extend(input.power.map(power_table));
     let title = if torque.with_gas { "Torque with gas" } else { "Torque of inertia" };
     Section::new("torque-over-cycle", "Torque", title)
+        .lead(lead(input))
         .words(words(input))
         .words(ripple_words(input.ripples))
         .by_width(figures)
         .tables(tables)
 }
 
-/// Mean torque, power, what the flywheel holds, and where the pressures come from.
-fn words(input: &TorqueInput<'_>) -> String {
+/// Mean torque, power and what the flywheel holds.
+fn lead(input: &TorqueInput<'_>) -> String {
     let torque = input.torque;
     let rpm = number::terminal(number::rpm(torque.speed), 0);
     if !torque.with_gas {
@@ -84,11 +85,14 @@ fn words(input: &TorqueInput<'_>) -> String {
         )
     });
     format!(
-        "At {rpm} rpm the gas gives {} N m in the mean and {} kW, net indicated.{of_brake} A flywheel has to hold {} J. \
-         Pressures: {}.",
+        "At {rpm} rpm the gas gives {} N m in the mean and {} kW, net indicated.{of_brake} A flywheel has to hold {} J.",
         number::short(torque.indicated.torque, 4),
         number::short(torque.indicated.power / 1e3, 4),
-        number::short(torque.energy.excess, 4),
-        input.source
+        number::short(torque.energy.excess, 4)
     )
+}
+
+/// Where the pressures come from.
+fn words(input: &TorqueInput<'_>) -> String {
+    if input.torque.with_gas { format!("Pressures: {}.", input.source) } else { String::new() }
 }

@@ -1,6 +1,7 @@
 //! Torque, work, energy and firing in numbers.
 
 use crate::kit::number;
+use crate::kit::rounding::below;
 use crate::kit::table::{Cell, Column, Table, column_cells, csv_number, numbers, push_csv_line, words};
 use lanchester_mechanism::{
     Brake, FiringChart, FlywheelNeed, PowerCurve, RippleOutcome, SpeedRipple, Torque, TorqueAtSpeed,
@@ -85,7 +86,7 @@ pub fn torque_extremes_table(torque: &Torque) -> Table {
 
 /// Torque by order, halves included.
 pub fn torque_orders_table(torque: &Torque) -> Table {
-    let noise = 1e-9 * torque.total_extremes.max_abs();
+    let noise = below(torque.total_extremes.max_abs());
     let rows: Vec<_> = torque.harmonics.iter().collect();
     let column = |f: fn(&lanchester_mechanism::TorqueHarmonic) -> f64| {
         column_cells(rows.iter().map(|h| f(h)), 5, noise)

@@ -2,7 +2,8 @@
 
 use super::mass::{grams, percent};
 use crate::kit::number;
-use crate::kit::table::{Cell, Column, Table, column_cells};
+use crate::kit::rounding::{below, largest_moment};
+use crate::kit::table::{Cell, Column, Table, column_cells, own_cells};
 use lanchester_workshop::BobweightAnswer;
 
 /// Weighed parts, bobweights, shares and the comparison with the optimum.
@@ -145,10 +146,10 @@ fn comparison(answer: &BobweightAnswer) -> Option<Table> {
     let (force, couple) = (largest(&|k| ways[k].force), largest(&|k| ways[k].couple));
     let columns = vec![
         (Column::words("crank"), ways.iter().map(|w| Cell::text(&w.how)).collect()),
-        (Column::numbers("peak force", "N"), column_cells(ways.iter().map(|w| w.force), 5, 1e-9 * force)),
+        (Column::numbers("peak force", "N"), own_cells(ways.iter().map(|w| w.force), 5)),
         (
             Column::numbers("peak couple", "N m"),
-            column_cells(ways.iter().map(|w| w.couple), 5, 1e-9 * couple),
+            column_cells(ways.iter().map(|w| w.couple), 5, below(largest_moment(couple, force))),
         ),
     ];
     let rpm = number::terminal(number::rpm(comparison.speed), 0);

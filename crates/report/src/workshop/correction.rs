@@ -3,6 +3,7 @@
 use super::grade::{grade_tables, plain};
 use super::mass::{grams, on_rotor, rotor_angle, rotor_degrees};
 use crate::kit::number;
+use crate::kit::rounding::below;
 use crate::kit::table::{Cell, Column, Table};
 use lanchester_task::workshop::{Action, VibrationQuantity};
 use lanchester_workshop::{Correction, NextStep, PlaneCorrection, Remark, RunFindings, ShownVibration};
@@ -89,7 +90,7 @@ fn planes_table(planes: &[PlaneCorrection], finished: bool) -> Table {
     let mut rows = Vec::new();
     for plane in planes {
         let action = if plane.action == Action::Add { "add" } else { "remove" };
-        let noise = 1e-9 * plane.unbalance.norm();
+        let noise = below(plane.unbalance.norm());
         let left = on_rotor(plane.left, noise);
         if plane.placements.is_empty() {
             let mut row = vec![Cell::text(plane.plane.clone()), Cell::text("nothing")];
@@ -166,7 +167,7 @@ fn sensors_table(runs: &RunFindings) -> Table {
         row.extend(shown(Some(sensor.now)));
         row.extend(sensor.after.map_or([Cell::Empty, Cell::Empty], |after| {
             // What vanishes has no phase.
-            if after.amplitude <= 1e-9 * sensor.now.amplitude {
+            if after.amplitude <= below(sensor.now.amplitude) {
                 [Cell::Number { value: 0.0, decimals: 0 }, Cell::Empty]
             } else {
                 shown(Some(after))

@@ -2,6 +2,7 @@
 
 use super::mass::{grams, on_rotor, rotor_degrees};
 use crate::kit::number;
+use crate::kit::rounding::below;
 use crate::kit::table::{Cell, Column, Table};
 use lanchester_workshop::{BodyState, CrankUnbalance, ExternalBalance, InternalBalance, PlaneUnbalance};
 use num_complex::Complex64;
@@ -45,9 +46,9 @@ fn millimetres(z: f64) -> Cell {
     Cell::Number { value: 1e3 * z, decimals: 1 }
 }
 
-/// What is below a billionth of the parts is rounding.
+/// What is rounding beside all the parts together.
 pub(super) fn noise(answer: &CrankUnbalance) -> f64 {
-    1e-9 * parts(answer).iter().map(|part| part.unbalance.norm()).sum::<f64>()
+    below(parts(answer).iter().map(|part| part.unbalance.norm()).sum())
 }
 
 fn parts(answer: &CrankUnbalance) -> Vec<PlaneUnbalance> {
@@ -135,8 +136,8 @@ pub fn external_text(answer: &ExternalBalance) -> String {
         number::plain(100.0 * answer.kept_share, 1)
     );
     let size: f64 = answer.weights.iter().map(|w| w.unbalance.norm()).sum();
-    out += &line("static unbalance to be balanced", answer.static_unbalance, 1e6, "g mm", 1e-9 * size);
-    out += &line("couple unbalance about z = 0", answer.couple_unbalance, 1e6, "kg mm2", 1e-9 * size);
+    out += &line("static unbalance to be balanced", answer.static_unbalance, 1e6, "g mm", below(size));
+    out += &line("couple unbalance about z = 0", answer.couple_unbalance, 1e6, "kg mm2", below(size));
     for table in external_tables(answer) {
         out += "\n";
         out += &table.text();

@@ -3,6 +3,7 @@
 use super::correction::remarks_text;
 use super::grade::{grade_tables, plain};
 use super::mass::{on_rotor, rotor_angle};
+use crate::kit::rounding::below;
 use crate::kit::table::{Cell, Column, Table};
 use lanchester_workshop::{Drilling, NextStep};
 
@@ -86,7 +87,7 @@ fn holes_table(drilling: &Drilling) -> Table {
 
 fn left_table(drilling: &Drilling) -> Table {
     let rows = drilling.planes.iter().map(|plane| {
-        let noise = 1e-9 * plane.wanted.norm();
+        let noise = below(plane.wanted.norm());
         let mut row = vec![Cell::text(plane.plane.clone())];
         row.extend(on_rotor(plane.wanted, 0.0));
         row.extend(on_rotor(plane.left, noise));

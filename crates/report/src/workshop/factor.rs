@@ -2,7 +2,8 @@
 
 use super::mass::{grams, percent};
 use crate::kit::number;
-use crate::kit::table::{Cell, Column, Table, column_cells};
+use crate::kit::rounding::below;
+use crate::kit::table::{Cell, Column, Table, column_cells, own_cells};
 use lanchester_workshop::{FactorAnswer, FactorEffect, FactorGiven, ThrowFactor};
 
 /// Definitions, ellipses, and what one factor for all throws does.
@@ -59,8 +60,7 @@ fn throw_column(throws: &[ThrowFactor]) -> (Column, Vec<Cell>) {
 
 fn masses(answer: &FactorAnswer) -> Table {
     let throws = &answer.throws;
-    let unbalances =
-        |of: &dyn Fn(&ThrowFactor) -> f64| column_cells(throws.iter().map(|t| 1e3 * of(t)), 5, 1e-9);
+    let unbalances = |of: &dyn Fn(&ThrowFactor) -> f64| own_cells(throws.iter().map(|t| 1e3 * of(t)), 5);
     let columns = vec![
         throw_column(throws),
         (
@@ -123,7 +123,7 @@ fn ellipses(answer: &FactorAnswer) -> Table {
         .enumerate()
         .fold(0.0f64, |m, (k, t)| m.max(t.masses.reciprocating_unbalance() * answer.square(k)));
     let forces = |of: &dyn Fn(&ThrowFactor) -> f64| {
-        column_cells(throws.iter().enumerate().map(|(k, t)| of(t) * answer.square(k)), 5, 1e-9 * size)
+        column_cells(throws.iter().enumerate().map(|(k, t)| of(t) * answer.square(k)), 5, below(size))
     };
     let columns = vec![
         throw_column(throws),

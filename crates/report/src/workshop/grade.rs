@@ -2,6 +2,7 @@
 
 use super::mass::{on_rotor, rotor_degrees};
 use crate::kit::number;
+use crate::kit::rounding::below;
 use crate::kit::table::{Cell, Column, Table};
 use lanchester_workshop::Grade;
 use num_complex::Complex64;
@@ -12,7 +13,7 @@ pub fn grade_tables(grade: &Grade) -> Vec<Table> {
         let mut row = vec![Cell::text(name), Cell::number(1e3 * z, 5), Cell::number(1e6 * permissible, 4)];
         match measured {
             Some(measured) => {
-                row.extend(on_rotor(measured, 1e-9 * permissible));
+                row.extend(on_rotor(measured, below(permissible)));
                 row.push(Cell::text(verdict(kept)));
             }
             None => row.extend([Cell::Empty, Cell::Empty, Cell::Empty]),

@@ -99,9 +99,9 @@ pub fn tell(
         }
     }
     print(&match (arguments.format, arguments.table) {
-        (Format::Text, _) => method_text(engine, answer, effect),
+        (Format::Text, _) => arguments.printed.led(method_text(engine, answer, effect)),
         (Format::Json, _) => json(&WithConsequences { answer, consequences: Some(effect) })?,
-        (Format::Csv, table) => match table.unwrap_or(BalanceTable::Weights) {
+        (Format::Csv, table) => arguments.printed.csv(match table.unwrap_or(BalanceTable::Weights) {
             BalanceTable::Weights => method_weights_table(answer).csv(),
             BalanceTable::Effects => method_effects_table(engine, answer).csv(),
             BalanceTable::Consequences => consequences_table(effect).csv(),
@@ -113,7 +113,7 @@ pub fn tell(
                     "take --table weights, effects, consequences, orders or stages",
                 ));
             }
-        },
+        }),
     })?;
     Ok(DONE)
 }

@@ -31,7 +31,7 @@ pub fn run(
     }
     print(&match arguments.format {
         Format::Json => json(&found)?,
-        _ => robust_text(engine, &found),
+        _ => arguments.printed.led(robust_text(engine, &found)),
     })?;
     Ok(DONE)
 }

@@ -36,12 +36,12 @@ pub fn run(arguments: &BalanceArguments, colour: bool) -> Result<u8, Failure> {
         eprintln!("{}", nearest.reason);
     }
     print(&match arguments.format {
-        Format::Text => arrangements_text(&found, arguments.search.all),
+        Format::Text => arguments.printed.led(arrangements_text(&found, arguments.search.all)),
         Format::Json => json(&found)?,
         Format::Csv => {
             let tables = found.spacings.iter().map(|s| front_table(&found, s, arguments.search.all));
             // One head for all spacings, each with its own length in the first column.
-            with_spacings(&found, tables.map(|table| table.csv()))
+            arguments.printed.csv(with_spacings(&found, tables.map(|table| table.csv())))
         }
     })?;
     Ok(status(found.limit.is_none() || found.nearest.is_none()))
@@ -166,10 +166,11 @@ fn one(
             for table in arrangement_parts(chosen) {
                 out += &format!("\n{}", table.text());
             }
-            out + &narrowest_place(chosen).map_or_else(String::new, |place| format!("\n{place}\n"))
+            let place = narrowest_place(chosen);
+            arguments.printed.led(out + &place.map_or_else(String::new, |place| format!("\n{place}\n")))
         }
         Format::Json => json(&WithConsequences { answer: chosen, consequences: Some(&effect) })?,
-        Format::Csv => csv(&bare, &chosen.answer, Some(&effect), arguments.table),
+        Format::Csv => arguments.printed.csv(csv(&bare, &chosen.answer, Some(&effect), arguments.table)),
     })?;
     Ok(status(good))
 }

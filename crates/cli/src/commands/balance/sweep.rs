@@ -74,12 +74,12 @@ pub fn run(arguments: &BalanceArguments, opened: &Opened, colour: bool) -> Resul
         return Ok(DONE);
     }
     print(&match arguments.format {
-        Format::Text => swept_text(&found, &effect),
+        Format::Text => arguments.printed.led(swept_text(&found, &effect)),
         Format::Json => json(&WithConsequences { answer: &found, consequences: Some(&effect) })?,
         Format::Csv if arguments.table == Some(BalanceTable::Consequences) => {
-            consequences_table(&effect).csv()
+            arguments.printed.csv(consequences_table(&effect).csv())
         }
-        Format::Csv => sweep_steps_table(&found.sweep).csv(),
+        Format::Csv => arguments.printed.csv(sweep_steps_table(&found.sweep).csv()),
     })?;
     Ok(DONE)
 }

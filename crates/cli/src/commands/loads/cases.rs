@@ -5,6 +5,7 @@ use crate::commands::{json, open};
 use crate::failure::{DONE, Failure, WRONG_INPUT};
 use crate::files::{print, read_bytes, write_result};
 use crate::format::Format;
+use crate::options::printed::Units;
 use crate::requests::loads::load_request;
 use lanchester::report::{Cell, Table};
 use lanchester::{CaseCell, CaseFault, CaseRow, CaseTable, case_loads};
@@ -25,6 +26,18 @@ pub fn run(arguments: &LoadsArguments, cases: &Path, colour: bool) -> Result<u8,
             "give --output one of these endings",
         ));
     }
+    if arguments.printed.brief {
+        return Err(Failure::input(
+            "--brief is of one engine, and --cases asks for a table of many",
+            "leave --brief out",
+        ));
+    }
+    if arguments.printed.units == Units::Us && output.is_some_and(|path| ending(path) == "xlsx") {
+        return Err(Failure::input(
+            "a workbook of cases is written in SI units, and --units us is asked for",
+            "write the loads as .csv, or leave --units out",
+        ));
+    }
     let request = load_request(&arguments.request)?;
     let opened = open(&arguments.file, colour)?;
     let told = |faults: Vec<CaseFault>| all_faults(cases, &faults);
@@ -35,10 +48,10 @@ pub fn run(arguments: &LoadsArguments, cases: &Path, colour: bool) -> Result<u8,
             let bytes = as_workbook(&found).map_err(|error| Failure::input(error, "write them as .csv"))?;
             write_result(path, &arguments.file, &bytes)?;
         }
-        Some(path) => write_result(path, &arguments.file, &found.csv())?,
+        Some(path) => write_result(path, &arguments.file, &arguments.printed.csv(found.csv()))?,
         None => print(&match arguments.format {
-            Format::Text => found.text(),
-            Format::Csv => found.csv(),
+            Format::Text => arguments.printed.words(found.text()),
+            Format::Csv => arguments.printed.csv(found.csv()),
             Format::Json => json(&objects(&found))?,
         })?,
     }

@@ -12,13 +12,16 @@ use crate::run::table_file;
 use crate::simulation_watch::GoesOn;
 use crate::trace_files::trace_files;
 use crate::watch::is_due;
-use lanchester::report::{CrankCycle, CrankKind, CycleLaw, crank_cycle_figures, cycle_csv, cycle_text};
+use lanchester::report::{
+    CrankCycle, CrankKind, CycleLaw, crank_cycle_figures, cycle_brief, cycle_csv, cycle_text,
+};
 use lanchester::task::option;
 use lanchester::{CycleStage, crank_cycle};
 use std::cell::RefCell;
 use std::time::Instant;
 
 pub fn cycle(arguments: &CycleArguments, colour: bool) -> Result<u8, Failure> {
+    arguments.printed.check(arguments.format == Format::Text)?;
     let own = &arguments.mesh;
     let least_film = match &arguments.least_film {
         Some(text) => Some(option::length(text, "--least-film")?),
@@ -45,9 +48,9 @@ pub fn cycle(arguments: &CycleArguments, colour: bool) -> Result<u8, Failure> {
         write_figures(folder, &own.file, &crank_cycle_figures(&found))?;
     }
     print(&match arguments.format {
-        Format::Text => cycle_text(&found),
+        Format::Text => arguments.printed.text(|| cycle_text(&found), || cycle_brief(&found)),
         Format::Json => json(&found)?,
-        Format::Csv => cycle_csv(&found),
+        Format::Csv => arguments.printed.csv(cycle_csv(&found)),
     })?;
     Ok(verdict(&found, arguments.safety, least_film))
 }

@@ -20,8 +20,9 @@ use lanchester::flex::reduction::ReductionOptions;
 use lanchester::flex::sparse::Precision;
 use lanchester::flex::statics::SolveOptions;
 use lanchester::report::{
-    CrankModes, StaticStress, deck_csv, deck_text, fatigue_csv, fatigue_text, modes_csv, modes_text,
-    reduced_csv, reduced_text, rule_csv, rule_text, static_stress_csv, static_stress_text,
+    CrankModes, StaticStress, deck_csv, deck_text, fatigue_brief, fatigue_csv, fatigue_text, modes_brief,
+    modes_csv, modes_text, reduced_brief, reduced_csv, reduced_text, rule_brief, rule_csv, rule_text,
+    static_stress_brief, static_stress_csv, static_stress_text,
 };
 use lanchester::{
     ModesRequest, StaticRequest, case_deck, case_glb, case_stl, case_vtu, converged_modes, converged_stress,
@@ -59,6 +60,7 @@ fn solved(
 }
 
 fn statics(arguments: &StaticArguments, colour: bool) -> Result<u8, Failure> {
+    arguments.printed.check(arguments.format == Format::Text)?;
     let own = &arguments.mesh;
     let opened = open(&own.file, colour)?;
     let request = static_request(&opened.file, own, &arguments.load, &arguments.support)?;
@@ -67,9 +69,9 @@ fn statics(arguments: &StaticArguments, colour: bool) -> Result<u8, Failure> {
         write_figures(folder, &own.file, &found.figures())?;
     }
     print(&match arguments.format {
-        Format::Text => static_stress_text(&found),
+        Format::Text => arguments.printed.text(|| static_stress_text(&found), || static_stress_brief(&found)),
         Format::Json => json(&found)?,
-        Format::Csv => static_stress_csv(&found),
+        Format::Csv => arguments.printed.csv(static_stress_csv(&found)),
     })?;
     Ok(DONE)
 }
@@ -96,6 +98,7 @@ fn found_modes(
 }
 
 fn modes(arguments: &ModesArguments, colour: bool) -> Result<u8, Failure> {
+    arguments.printed.check(arguments.format == Format::Text)?;
     let held = support(&arguments.support, CrankSupport::Free)?;
     let opened = open(&arguments.mesh.file, colour)?;
     let found = found_modes(&opened, &arguments.mesh, held, arguments.number, arguments.converge)?;
@@ -103,9 +106,9 @@ fn modes(arguments: &ModesArguments, colour: bool) -> Result<u8, Failure> {
         write_figures(folder, &arguments.mesh.file, &found.figures())?;
     }
     print(&match arguments.format {
-        Format::Text => modes_text(&found),
+        Format::Text => arguments.printed.text(|| modes_text(&found), || modes_brief(&found)),
         Format::Json => json(&found)?,
-        Format::Csv => modes_csv(&found),
+        Format::Csv => arguments.printed.csv(modes_csv(&found)),
     })?;
     Ok(DONE)
 }
@@ -167,6 +170,7 @@ fn export(arguments: &ExportArguments, colour: bool) -> Result<u8, Failure> {
 }
 
 fn reduce(arguments: &ReduceArguments, colour: bool) -> Result<u8, Failure> {
+    arguments.printed.check(arguments.format == Format::Text)?;
     let own = &arguments.mesh;
     if let Some(path) = arguments.output.as_deref() {
         ends_in(path, "npz")?;
@@ -179,14 +183,15 @@ fn reduce(arguments: &ReduceArguments, colour: bool) -> Result<u8, Failure> {
         tell(format_args!("{} written", lanchester_files::shown(path)));
     }
     print(&match arguments.format {
-        Format::Text => reduced_text(&found),
+        Format::Text => arguments.printed.text(|| reduced_text(&found), || reduced_brief(&found)),
         Format::Json => json(&found)?,
-        Format::Csv => reduced_csv(&found),
+        Format::Csv => arguments.printed.csv(reduced_csv(&found)),
     })?;
     Ok(DONE)
 }
 
 fn fatigue(arguments: &FatigueArguments, colour: bool) -> Result<u8, Failure> {
+    arguments.printed.check(arguments.format == Format::Text)?;
     let own = &arguments.mesh;
     let opened = open(&own.file, colour)?;
     let request = fatigue_request(arguments, &opened.file)?;
@@ -194,14 +199,15 @@ fn fatigue(arguments: &FatigueArguments, colour: bool) -> Result<u8, Failure> {
     let traces = if request.gas { trace_files(engine, &own.file)? } else { Vec::new() };
     let found = crank_fatigue(engine, &traces, &request, &say).map_err(Failure::refused)?;
     print(&match arguments.format {
-        Format::Text => fatigue_text(&found),
+        Format::Text => arguments.printed.text(|| fatigue_text(&found), || fatigue_brief(&found)),
         Format::Json => json(&found)?,
-        Format::Csv => fatigue_csv(&found),
+        Format::Csv => arguments.printed.csv(fatigue_csv(&found)),
     })?;
     Ok(if found.is_safe(arguments.safety) { DONE } else { NOT_AS_EXPECTED })
 }
 
 fn rule(arguments: &RuleArguments, colour: bool) -> Result<u8, Failure> {
+    arguments.printed.check(arguments.format == Format::Text)?;
     let request = rule_request(arguments)?;
     let opened = open(&arguments.file, colour)?;
     let engine = &opened.file.engine;
@@ -211,9 +217,9 @@ fn rule(arguments: &RuleArguments, colour: bool) -> Result<u8, Failure> {
         false => crank_rule(engine, &traces, &request).map_err(Failure::refused)?,
     };
     print(&match arguments.format {
-        Format::Text => rule_text(&found),
+        Format::Text => arguments.printed.text(|| rule_text(&found), || rule_brief(&found)),
         Format::Json => json(&found)?,
-        Format::Csv => rule_csv(&found),
+        Format::Csv => arguments.printed.csv(rule_csv(&found)),
     })?;
     Ok(if found.is_accepted() { DONE } else { NOT_AS_EXPECTED })
 }

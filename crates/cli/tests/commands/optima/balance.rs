@@ -105,7 +105,7 @@ fn a_limit_that_nobody_reaches_is_told_and_nothing_is_written() {
     let file = template(&folder, "twin-360");
     let text = fs::read_to_string(folder.join(&file)).unwrap();
     let said = output(&folder, 1, &["balance", &file, "--limit", "force = 100 N", "--write"]);
-    assert!(said.contains("10 502"), "the closest value is told:\n{said}");
+    assert!(said.contains("10\u{a0}502"), "the closest value is told:\n{said}");
     assert_eq!(fs::read_to_string(folder.join(&file)).unwrap(), text);
 }
 

@@ -86,7 +86,7 @@ fn weights_outside_and_slugs_inside() {
     let text = run(0, &["external", &sheet(V8), "--planes", planes, "--keep", "70%"]).0;
     // By hand: 30 % of 104 544 g mm (V8 by formula sqrt(10) * 111 mm) over 620 mm.
     assert!((0.3 * 104_544.0 * 10f64.sqrt() * 111.0 / 620.0 - 17_756.0).abs() < 1.0);
-    assert!(text.contains("17 756"), "{text}");
+    assert!(text.contains("17\u{a0}756"), "{text}");
     // 17 756 g mm at 71 mm are 250.1 g.
     let planes = "damper=-290 mm @ 71 mm, flywheel=330 mm";
     let text = run(0, &["external", &sheet(V8), "--planes", planes, "--keep", "70%"]).0;

@@ -2,16 +2,12 @@
 
 use super::at_spacing;
 use crate::kit::number;
-use crate::kit::table::{Cell, Column, Table, column_cells};
+use crate::kit::table::{Cell, Column, Table, own_cells};
 use lanchester_balance::{Arrangement, Arrangements, GearSeat, ShaftLayout, SpacingArrangements};
-
-/// Below this share of the largest number of a column a number is 0.
-const NOISE: f64 = 1e-7;
 
 /// A column of numbers with common decimals.
 fn numbers(name: &str, unit: &'static str, values: Vec<f64>, digits: i32) -> (Column, Vec<Cell>) {
-    let noise = NOISE * values.iter().filter(|v| v.is_finite()).fold(0.0f64, |m, v| m.max(v.abs()));
-    (Column::numbers(name, unit), column_cells(values, digits, noise))
+    (Column::numbers(name, unit), own_cells(values, digits))
 }
 
 /// The front at one spacing, by falling residual; `all`: what is beaten and what has no place as well.

@@ -194,7 +194,7 @@ impl CrankCycle {
         tables
     }
 
-    fn lead(&self) -> String {
+    pub(crate) fn lead(&self) -> String {
         let worst = self
             .runs
             .iter()

@@ -854,6 +854,18 @@ export type Comparison = {
   warnings: string[];
 };
 
+/** An engine file with typical values in the place of what was missing. */
+export type Completed = {
+  /** Sections that were added, in the order of the file. */
+  added: TypicalSection[];
+  /** The kind of engine that they were taken for. */
+  kind: EngineKind;
+  /** Sections that this engine cannot have, and why. */
+  left_out: LeftOut[];
+  /** The text of the file with them. */
+  text: string;
+};
+
 /** One quantity before and after. */
 export type Consequence = {
   /** With the new ones. */
@@ -1548,6 +1560,9 @@ export type EngineGraphQuestion = {
   without_shafts: boolean;
 };
 
+/** What an engine is built for, as far as its proportions tell. */
+export type EngineKind = "motorcycle-petrol" | "car-petrol" | "car-diesel" | "truck-diesel" | "stationary-diesel" | "aircraft-petrol";
+
 /** The engine in short. */
 export type EngineSummary = {
   counterweights: DeviceSummary[];
@@ -2206,6 +2221,16 @@ export type Held = "speed" | "piston-speed";
 
 export type Hold = "speed" | "piston-speed";
 
+/** A text to be completed. */
+export type Incomplete = {
+  /** Kind of engine that the values are taken for; none: what its numbers say. */
+  kind: EngineKind | null;
+  /** Sections that are wanted; all that are missing where none is named. */
+  sections: TypicalSection[];
+  /** The engine file. */
+  text: string;
+};
+
 /** A speed that is not known for want of an inertia. */
 export type IncompleteInertia = {
   /** What fixes it. */
@@ -2354,6 +2379,14 @@ export type Leading = {
   order: number;
   /** Largest resultant of this order alone, in the unit of the load. */
   size: number;
+};
+
+/** A section that was not added. */
+export type LeftOut = {
+  /** Which. */
+  section: TypicalSection;
+  /** Why. */
+  why: string;
 };
 
 /** Lever with which the force along the cylinder axis turns the crank. */
@@ -3831,6 +3864,9 @@ export type TwoTexts = {
   /** The engine file now. */
   text: string;
 };
+
+/** A section of the engine file, or a key without which a section says nothing, for which there are typical values. */
+export type TypicalSection = "piston.bore" | "crank.web_distance" | "counterweights.at" | "crank.body" | "crank.material" | "gas" | "friction" | "flywheel" | "bearings" | "block" | "mount" | "tolerances" | "balance" | "counterweight_design" | "clearance" | "shaft_weight_design" | "torsion" | "simulation";
 
 /** What is odd, though it can be computed. */
 export type Warning = {

@@ -1,6 +1,7 @@
 // Loads at a crank angle, read from the traces of the server.
 
 import type { LoadSet, Loads, Trace } from "../api/types";
+import { noise } from "../parts/results/forces/magnitude";
 import { phase } from "./pose";
 
 export interface Momentary {
@@ -35,10 +36,10 @@ export function largest({ peaks }: LoadSet): { force: number; couple: number; ro
 
 /** The parts that have loads at all, with names for people. */
 export function sources(loads: Loads): { id: string; name: string; set: LoadSet }[] {
-  const floor = 1e-9 * largest(loads.total).force;
+  const least = noise(loads);
   const parts = loads.parts.filter(({ loads: set }) => {
     const { force, couple } = largest(set);
-    return force > floor || couple > floor;
+    return force > least.force || couple > least.couple;
   });
   return parts.map(({ part, loads: set }) => ({ id: part, name: nameOf(part), set }));
 }

@@ -1,6 +1,7 @@
 // The ranking of a comparison in words.
 
 import type { Comparison } from "../../api/types";
+import { below } from "../../state/rounding";
 import type { Measure } from "../../state/units.svelte";
 
 interface Criterion {
@@ -21,9 +22,6 @@ export const CRITERIA: Record<string, Criterion> = {
   shafts: { name: "Balance shafts", measure: "none" },
 };
 
-/** A value this much smaller than the largest of its criterion is zero in words. */
-const ZERO = 1e-9;
-
 /** "A (20 N), then B (1361 N, 68 times as much)", best first; those that cannot be told apart stand together. */
 export function sentence(
   ranking: Comparison["rankings"][number],
@@ -31,7 +29,7 @@ export function sentence(
   written: (value: number, measure: Measure) => string,
 ): string {
   const measure = CRITERIA[ranking.criterion]?.measure ?? "none";
-  const most = Math.max(...ranking.places.map((place) => place.value));
+  const noise = below(...ranking.places.map((place) => place.value));
   const groups = new Map<number, { names: string[]; value: number }>();
   for (const { engine, rank, value } of ranking.places) {
     const group = groups.get(rank) ?? { names: [], value };
@@ -41,7 +39,7 @@ export function sentence(
   const told = [...groups].sort((a, b) => a[0] - b[0]).map(([, group]) => group);
   const first = told[0];
   if (!first) return "";
-  const zero = (value: number) => Math.abs(value) <= ZERO * most;
+  const zero = (value: number) => Math.abs(value) <= noise;
   if (told.length === 1) {
     return zero(first.value) ? "None has any." : `All the same: ${written(first.value, measure)}.`;
   }

@@ -1,6 +1,7 @@
 // How large loads are, so that rounding noise is told from loads: the rule of the program's reports.
 
 import type { LoadSet, Loads } from "../../../api/types";
+import { below, largestMoment } from "../../../state/rounding";
 
 export interface Magnitude {
   force: number;
@@ -8,11 +9,6 @@ export interface Magnitude {
   roll_moment: number;
   shaft_torque: number;
 }
-
-/** A load below this share of what cancels is rounding noise. */
-const NOISE = 1e-9;
-/** Couples of an engine that is all in one plane vanish with all their parts: this lever [m] tells noise then. */
-const LEVER = 0.01;
 
 /** Below these values loads are noise [N, N m]. */
 export function noise(loads: Loads): Magnitude {
@@ -23,12 +19,12 @@ export function noise(loads: Loads): Magnitude {
   ];
   const most = (key: keyof Magnitude) => Math.max(0, ...sets.map((set) => reach(set, key)));
   const force = most("force");
-  const least = LEVER * force;
+  const moment = (key: keyof Magnitude) => below(largestMoment(most(key), force));
   return {
-    force: NOISE * force,
-    couple: NOISE * Math.max(most("couple"), least),
-    roll_moment: NOISE * Math.max(most("roll_moment"), least),
-    shaft_torque: NOISE * Math.max(most("shaft_torque"), least),
+    force: below(force),
+    couple: moment("couple"),
+    roll_moment: moment("roll_moment"),
+    shaft_torque: moment("shaft_torque"),
   };
 }
 
