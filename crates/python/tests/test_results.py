@@ -209,7 +209,7 @@ def test_arrays_look_at_numbers_of_the_result_in_place() -> None:
     force = trace.force_x
     wanted = force.tolist()
     assert not force.flags.owndata and not force.flags.writeable
-    owner = force.base
+    owner: Any = force.base
     while isinstance(owner, np.ndarray):
         owner = owner.base
     assert type(owner).__name__ == "Numbers"
