@@ -15,7 +15,10 @@ fn arrangements_and_optimum_stand_side_by_side() {
     assert!(force(9) <= force(1) && force(1) < 0.55 * force(0) && force(8) < 0.01 * force(0));
     assert_eq!(json.pointer("/rankings/0/places/9/engine"), Some(&Value::from(0)));
     let text = output(&folder, 0, &[&all[..], &["--figures", "figures"]].concat());
-    assert!(text.contains("10. 21\u{a0}977 N: above all order 1, both ways alike (no. 1, basic crank)"), "{text}");
+    assert!(
+        text.contains("10. 21\u{a0}977 N: above all order 1, both ways alike (no. 1, basic crank)"),
+        "{text}"
+    );
     assert!(folder.join("figures/comparison.svg").exists());
 }
 

@@ -160,7 +160,11 @@ fn static_case_of_a_crankshaft_is_in_balance() {
 fn sharp_corner_has_no_stress() {
     let engine = one_throw("");
     let crank = crank_mesh(&engine, 0, coarse(true)).unwrap();
-    let load = CrankLoad { pins: vec![PinLoad { pin: 1, force: [-1e4, 0.0] }], speed: 100.0, ..CrankLoad::default() };
+    let load = CrankLoad {
+        pins: vec![PinLoad { pin: 1, force: [-1e4, 0.0] }],
+        speed: 100.0,
+        ..CrankLoad::default()
+    };
     let cases = solve_crank(&crank, &CrankSupport::Free, &[load], SolveOptions::default()).unwrap();
     assert!(cases[0].peaks.iter().all(|peak| peak.stress.is_none()));
     let mass = crank.quality.mass;

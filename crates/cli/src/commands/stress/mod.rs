@@ -10,10 +10,12 @@ use crate::figures::write_figures;
 use crate::files::{print, read_bytes, tell, write_result};
 use crate::format::Format;
 use crate::options::stress::{
-    ExportArguments, FatigueArguments, MeshArguments, ModesArguments, ReduceArguments,
-    RuleArguments, SolveArguments, StaticArguments, StressArguments, StressCommand,
+    ExportArguments, FatigueArguments, MeshArguments, ModesArguments, ReduceArguments, RuleArguments,
+    SolveArguments, StaticArguments, StressArguments, StressCommand,
 };
-use crate::requests::stress::{fatigue_request, memory, mesh, rule_request, solve_options, static_request, support};
+use crate::requests::stress::{
+    fatigue_request, memory, mesh, rule_request, solve_options, static_request, support,
+};
 use crate::trace_files::trace_files;
 use lanchester::flex::crank_case::CrankSupport;
 use lanchester::flex::reduction::ReductionOptions;
@@ -155,7 +157,9 @@ fn export(arguments: &ExportArguments, colour: bool) -> Result<u8, Failure> {
             let case = found.worst().ok_or_else(|| Failure::own("a solution has a case"))?;
             tell(format_args!("writing the case: {}", case.name));
             match form {
-                Form::Deck => case_deck(&found, case, &request.support).map_err(Failure::refused)?.into_bytes(),
+                Form::Deck => {
+                    case_deck(&found, case, &request.support).map_err(Failure::refused)?.into_bytes()
+                }
                 Form::Vtu => case_vtu(&found, case),
                 Form::Glb => case_glb(&found, case, arguments.deformation).map_err(Failure::refused)?,
                 Form::Stl => {
@@ -177,7 +181,8 @@ fn reduce(arguments: &ReduceArguments, colour: bool) -> Result<u8, Failure> {
     }
     let options = ReductionOptions { modes: arguments.modes as usize, memory: memory(&own.memory)? };
     let opened = open(&own.file, colour)?;
-    let found = reduced_crank(&opened.file.engine, &mesh(own, &opened.file, 2)?, options, &say).map_err(Failure::refused)?;
+    let found = reduced_crank(&opened.file.engine, &mesh(own, &opened.file, 2)?, options, &say)
+        .map_err(Failure::refused)?;
     if let Some(path) = &arguments.output {
         write_result(path, &own.file, &found.model.to_npz())?;
         tell(format_args!("{} written", lanchester_files::shown(path)));
