@@ -8,7 +8,7 @@ use crate::FlexError;
 use crate::case::{Spring, StaticCase};
 use crate::contact::ContactReport;
 use crate::crank_mesh::CrankMesh;
-use crate::mesh::{NodeSet, SurfaceFace, surface, surface_areas};
+use crate::mesh::{NodeSet, SignedArea, SurfaceFace, signed_areas, surface, surface_areas};
 use crate::statics::{NodeStress, StaticSolution, node_stresses};
 use serde::Serialize;
 use std::collections::{BTreeMap, HashSet};
@@ -133,7 +133,8 @@ pub fn crank_support(
 ) -> Result<StaticCase, FlexError> {
     let mesh = &crank.mesh;
     let case = StaticCase::default();
-    let journals: Vec<_> = (1..).map_while(|number| surfaces.areas(&format!("MAIN_{number}")).ok()).collect();
+    let is_there = |name: &String| surfaces.areas(name).is_ok();
+    let journals: Vec<String> = (1..).map(|number| format!("MAIN_{number}")).take_while(is_there).collect();
     let (name, stiffness) = match support {
         CrankSupport::ClampedEnds => {
             let ends = [mesh.set("FREE_END")?, mesh.set("FLYWHEEL")?].map(|set| set.nodes.clone()).concat();
@@ -156,12 +157,12 @@ pub fn crank_support(
     let turn = if support.depends_on_angle() { turn } else { 0.0 };
     let (sin, cos) = turn.sin_cos();
     let directions = [("x", [cos, -sin, 0.0]), ("y", [sin, cos, 0.0])];
-    for (index, (areas, stiffness)) in journals.into_iter().zip(stiffness).enumerate() {
-        let weights = weights(areas);
+    for (name, stiffness) in journals.into_iter().zip(stiffness) {
+        let weights = weights(surfaces.signed(&name)?);
         for ((letter, direction), stiffness) in directions.into_iter().zip(stiffness) {
             // A stiffness below zero or without a number is refused with the case.
             if stiffness != 0.0 {
-                let name = format!("MAIN_{} {letter}", index + 1);
+                let name = format!("{name} {letter}");
                 case.springs.push(Spring::on_mean(&name, stiffness, direction, &weights));
             }
         }
@@ -196,7 +197,7 @@ pub(crate) fn hold_flywheel(
     let even: Vec<(u32, f64)> = areas
         .iter()
         .map(|(node, area)| (*node, area[2] / all))
-        .filter(|(_, weight)| *weight > 1e-9)
+        .filter(|(_, weight)| weight.abs() > 1e-9)
         .collect();
     case.springs.push(Spring::on_mean("FLYWHEEL z", RIGID, [0.0, 0.0, 1.0], &even));
     let centre: [f64; 2] =
@@ -219,7 +220,14 @@ pub(crate) fn hold_flywheel(
 /// Areas that the nodes of bearing surfaces and of the flywheel's face carry, as vectors along the outward normal [m^2]: computed once
 /// for all supports and loads of a mesh.
 #[derive(Debug, Clone, PartialEq)]
-pub struct BearingSurfaces(BTreeMap<String, BTreeMap<u32, [f64; 3]>>);
+pub struct BearingSurfaces(BTreeMap<String, BearingSurface>);
+
+/// A surface by its nodes.
+#[derive(Debug, Clone, PartialEq)]
+struct BearingSurface {
+    areas: BTreeMap<u32, [f64; 3]>,
+    signed: BTreeMap<u32, SignedArea>,
+}
 
 impl BearingSurfaces {
     /// Of all sets of a mesh.
@@ -229,7 +237,8 @@ impl BearingSurfaces {
             let own: HashSet<u32> = set.nodes.iter().copied().collect();
             let is_own = |face: &&SurfaceFace| face.nodes.iter().all(|node| own.contains(node));
             let faces: Vec<SurfaceFace> = faces.iter().filter(is_own).cloned().collect();
-            (set.name.clone(), surface_areas(&crank.mesh, &faces))
+            let areas = surface_areas(&crank.mesh, &faces);
+            (set.name.clone(), BearingSurface { areas, signed: signed_areas(&crank.mesh, &faces) })
         };
         BearingSurfaces(crank.mesh.sets.iter().map(of).collect())
     }
@@ -239,7 +248,19 @@ impl BearingSurfaces {
     /// # Errors
     /// [`FlexError::Missing`] where the mesh has no such surface.
     pub fn areas(&self, name: &str) -> Result<&BTreeMap<u32, [f64; 3]>, FlexError> {
-        self.0.get(name).filter(|areas| !areas.is_empty()).ok_or_else(|| FlexError::Missing {
+        self.surface(name).map(|own| &own.areas)
+    }
+
+    /// Those of one set with their sign and the outward direction.
+    ///
+    /// # Errors
+    /// As [`BearingSurfaces::areas`].
+    pub fn signed(&self, name: &str) -> Result<&BTreeMap<u32, SignedArea>, FlexError> {
+        self.surface(name).map(|own| &own.signed)
+    }
+
+    fn surface(&self, name: &str) -> Result<&BearingSurface, FlexError> {
+        self.0.get(name).filter(|own| !own.areas.is_empty()).ok_or_else(|| FlexError::Missing {
             what: "bearing surface",
             name: name.to_owned(),
             hint: "a node set of that name must hold all nodes of at least one face",
@@ -247,11 +268,11 @@ impl BearingSurfaces {
     }
 }
 
-fn weights(areas: &BTreeMap<u32, [f64; 3]>) -> Vec<(u32, f64)> {
-    let size = |area: &[f64; 3]| area[0].hypot(area[1]);
-    let all: f64 = areas.values().map(size).sum();
-    let sized = areas.iter().map(|(node, area)| (*node, size(area) / all));
-    sized.filter(|(_, weight)| *weight > 1e-9).collect()
+/// Weights of the mean over a surface around the crank's axis: the share of its area that each node carries.
+fn weights(areas: &BTreeMap<u32, SignedArea>) -> Vec<(u32, f64)> {
+    let all: f64 = areas.values().map(|area| area.size).sum();
+    let sized = areas.iter().map(|(node, area)| (*node, area.size / all));
+    sized.filter(|(_, weight)| weight.abs() > 1e-9).collect()
 }
 
 /// Adds a force on a pin as a pressure over 180 degrees of its surface (eq. 43.10).
@@ -273,7 +294,7 @@ pub fn load_pin(
             hint: "give a number",
         });
     }
-    let areas = surfaces.areas(&format!("PIN_{}", load.pin))?;
+    let areas = surfaces.signed(&format!("PIN_{}", load.pin))?;
     if size == 0.0 {
         return Ok(case);
     }
@@ -281,16 +302,16 @@ pub fn load_pin(
 }
 
 /// Adds a force [N] as a pressure over 180 degrees of a surface, by the areas that its nodes carry.
-pub(crate) fn press(areas: &BTreeMap<u32, [f64; 3]>, case: StaticCase, force: [f64; 2]) -> StaticCase {
+pub(crate) fn press(areas: &BTreeMap<u32, SignedArea>, case: StaticCase, force: [f64; 2]) -> StaticCase {
     let size = force[0].hypot(force[1]);
     let along = force.map(|force| force / size);
     // The pressure acts where the surface faces against the force, and pushes inwards.
     let mut forces: Vec<(u32, [f64; 2])> = Vec::new();
     let mut sum = [0.0; 2];
-    for (node, [x, y, _]) in areas {
-        let facing = -(x * along[0] + y * along[1]) / x.hypot(*y).max(f64::MIN_POSITIVE);
+    for (node, SignedArea { size, outward: [x, y, _] }) in areas {
+        let facing = -(x * along[0] + y * along[1]);
         if facing > 0.0 {
-            let force = [-facing * x, -facing * y];
+            let force = [-facing * size * x, -facing * size * y];
             sum = [sum[0] + force[0], sum[1] + force[1]];
             forces.push((*node, force));
         }

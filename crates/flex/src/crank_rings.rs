@@ -5,7 +5,7 @@ use crate::contact::{ContactFace, ContactSystem, Ring, RingShape, add_ring};
 use crate::crank_case::{BearingSurfaces, CrankCase, CrankLoad, PinLoad, evaluate, hold_flywheel, press};
 use crate::crank_mesh::CrankMesh;
 use crate::deck::{Analysis, with_contact, write_deck};
-use crate::mesh::{Mesh, surface, surface_areas};
+use crate::mesh::{Mesh, signed_areas, surface};
 use crate::sparse::SolveEstimate;
 use crate::statics::{SolveOptions, as_node_forces};
 use crate::{FlexError, Material};
@@ -188,7 +188,7 @@ impl Ringed {
         }
         hold_flywheel(crank, &mut case, surfaces)?;
         for (pin, ring) in &self.pins {
-            let areas = surface_areas(&self.mesh, &ring.outer);
+            let areas = signed_areas(&self.mesh, &ring.outer);
             for load in load.pins.iter().filter(|load| load.pin == *pin) {
                 case = press(&areas, case, load.force);
             }

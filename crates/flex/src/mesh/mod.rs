@@ -10,4 +10,4 @@ pub use blocks::mapped_block;
 pub use data::{Element, Mesh, NodeSet};
 pub use quality::{LEAST_JACOBIAN, MeshQuality, quality};
 pub(crate) use surface::face_points;
-pub use surface::{SurfaceFace, surface, surface_areas};
+pub use surface::{SignedArea, SurfaceFace, signed_areas, surface, surface_areas};

@@ -74,6 +74,46 @@ pub fn surface_areas(mesh: &Mesh, faces: &[SurfaceFace]) -> BTreeMap<u32, [f64; 
     areas
 }
 
+/// As [`surface_areas`], with the outward direction of length one beside: the share of a node may be negative, as that of the corners of a quadrilateral
+/// is (-1/12 of its area), and then points inwards.
+pub fn signed_areas(mesh: &Mesh, faces: &[SurfaceFace]) -> BTreeMap<u32, SignedArea> {
+    let mut outward: BTreeMap<u32, [f64; 3]> = BTreeMap::new();
+    for face in faces {
+        let places: Vec<[f64; 3]> = face.nodes.iter().map(|node| mesh.nodes[*node as usize]).collect();
+        // Twice the vector area of the polygon of corners.
+        let count = places.len() / 2;
+        let mut normal = [0.0; 3];
+        for k in 0..count {
+            let (a, b) = (places[k], places[(k + 1) % count]);
+            for (axis, normal) in normal.iter_mut().enumerate() {
+                let (i, j) = ((axis + 1) % 3, (axis + 2) % 3);
+                *normal += a[i] * b[j] - a[j] * b[i];
+            }
+        }
+        for node in &face.nodes {
+            let own = outward.entry(*node).or_default();
+            (0..3).for_each(|axis| own[axis] += normal[axis]);
+        }
+    }
+    let of = |(node, area): (u32, [f64; 3])| {
+        let size = area.iter().map(|x| x * x).sum::<f64>().sqrt();
+        let about = outward.get(&node).copied().unwrap_or_default();
+        let sign = if (0..3).map(|k| area[k] * about[k]).sum::<f64>() < 0.0 { -1.0 } else { 1.0 };
+        let outward = area.map(|x| if size > 0.0 { sign * x / size } else { 0.0 });
+        (node, SignedArea { size: sign * size, outward })
+    };
+    surface_areas(mesh, faces).into_iter().map(of).collect()
+}
+
+/// The share of a surface that a node carries.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SignedArea {
+    /// Its size [m^2]; below zero of the corners of quadrilaterals.
+    pub size: f64,
+    /// Outward normal of the surface there.
+    pub outward: [f64; 3],
+}
+
 /// An integration point of a face.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct FacePoint {

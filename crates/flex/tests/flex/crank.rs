@@ -1,7 +1,7 @@
 //! The mesh of a crankshaft and its static case.
 
 use lanchester_flex::FlexError;
-use lanchester_flex::crank_case::{CrankLoad, CrankSupport, PinLoad};
+use lanchester_flex::crank_case::{CrankLoad, CrankSupport, PinLoad, crank_cases};
 use lanchester_flex::crank_mesh::{CrankMesh, CrankMeshOptions, crank_mesh};
 use lanchester_flex::crank_solve::solve_crank;
 use lanchester_flex::mesh::surface;
@@ -154,6 +154,31 @@ fn static_case_of_a_crankshaft_is_in_balance() {
     let peak = |k: usize| clamped.peaks[k].stress.unwrap().von_mises;
     assert!((peak(0) / peak(3) - 1.0).abs() < 0.05 && (peak(1) / peak(2) - 1.0).abs() < 0.05);
     assert!((20e6..600e6).contains(&peak(1)));
+}
+
+/// A pressure p_0 cos(a - a_F) over 180 degrees pushes the half of the pin that faces it, p_0 = 2 F/(pi r L), and pulls nowhere.
+#[test]
+fn pressure_of_a_load_acts_on_one_half_of_the_pin() {
+    let engine = one_throw("");
+    let crank = crank_mesh(&engine, 0, coarse(false)).unwrap();
+    let force = [-65e3, 10.66e3];
+    let load = CrankLoad { pins: vec![PinLoad { pin: 1, force }], ..CrankLoad::default() };
+    let case = crank_cases(&crank, &CrankSupport::Journals, &[load]).unwrap().remove(0);
+    let size = f64::hypot(force[0], force[1]);
+    let along = force.map(|force| force / size);
+    // Of the force: what acts on the half that faces it, and its second moment about the axis of the pin across the load, in squares of the radius.
+    let (mut facing, mut spread) = (0.0, 0.0);
+    for own in &case.forces {
+        let at = crank.mesh.nodes[own.node as usize];
+        let place = [at[0] - 0.5 * 0.0955, at[1]];
+        let ahead = (place[0] * along[0] + place[1] * along[1]) / 0.024;
+        let part = (own.force[0] * along[0] + own.force[1] * along[1]) / size;
+        facing += if ahead < 1e-9 { part } else { 0.0 };
+        spread += part * ahead * ahead;
+    }
+    assert!((facing - 1.0).abs() < 1e-9, "{facing} of the load pushes");
+    // INT cos^4 / INT cos^2 over the half: 3/4.
+    assert!((spread - 0.75).abs() < 0.01, "{spread}");
 }
 
 #[test]

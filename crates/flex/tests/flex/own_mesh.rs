@@ -173,10 +173,14 @@ fn tetrahedra_agree_with_wedges() {
     // Both are stiffer than the body, by some tenths of a per cent.
     assert!((ratio - 1.0).abs() < 0.005, "{ratio}");
     for support in [CrankSupport::Journals, CrankSupport::even_springs(5e8), CrankSupport::Free] {
-        let case = solve(&own, &support);
-        assert!(case.peaks.iter().all(|peak| peak.stress.is_some()));
+        let [one, two] = [&crank, &own].map(|crank| solve(crank, &support));
+        let ratio = two.solution.energy / one.solution.energy;
+        println!("{support:?}: {ratio} {} {}", one.solution.energy, two.solution.energy);
+        // Triangles and quadrilaterals carry one pressure by other shape functions.
+        assert!((ratio - 1.0).abs() < 0.01, "{support:?}: {ratio}");
+        assert!(two.peaks.iter().all(|peak| peak.stress.is_some()));
         for axis in 0..2 {
-            let rest = case.solution.reaction[axis] + case.solution.load[axis];
+            let rest = two.solution.reaction[axis] + two.solution.load[axis];
             assert!(support == CrankSupport::Free || rest.abs() < 1e-8 * 65e3, "axis {axis}: {rest}");
         }
     }
