@@ -16,6 +16,7 @@ mod crank_cycle;
 mod crank_train_unit;
 mod crosscheck;
 mod crosscheck_layouts;
+mod durability;
 mod fatigue;
 mod gallery;
 mod graph_report;
