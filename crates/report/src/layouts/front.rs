@@ -2,7 +2,7 @@
 
 use crate::kit::number;
 use crate::kit::rounding::{below, clean, largest_moment};
-use crate::kit::table::{Cell, Column, Table, column_cells, words};
+use crate::kit::table::{Cell, Column, Table, column_cells, own_cells, words};
 use lanchester_study::explore::{
     Choice, ExploreAnswer, FoundLayout, GivenEngine, JudgedBy, Objective, Removes, Sense,
 };
@@ -175,7 +175,7 @@ fn table(id: &'static str, title: String, answer: &ExploreAnswer, layouts: &[Fou
         let (factor, unit) = if criterion.is_film() { (1e6, "um") } else { (1.0, "") };
         let value = |layout: &FoundLayout| layout.durability.get(place).and_then(Measured::value);
         let mut known =
-            column_cells(layouts.iter().filter_map(value).map(|value| factor * value), 4, NOISE).into_iter();
+            own_cells(layouts.iter().filter_map(value).map(|value| factor * value), 4).into_iter();
         let cells =
             layouts.iter().map(|layout| value(layout).and_then(|_| known.next()).unwrap_or(Cell::Empty));
         columns.push((Column::numbers(criterion.title(), unit), cells.collect()));
