@@ -10,6 +10,7 @@ use lanchester_mechanism::{
 };
 use lanchester_model::{Engine, Gas, GasProcess, GasSource};
 use lanchester_results::OrderLoads;
+use rayon::prelude::*;
 
 /// Speeds of [`mounts`].
 #[derive(Debug, Clone, PartialEq)]
@@ -145,20 +146,7 @@ fn gas_at_speeds(
         };
         return Ok(vec![at(first)?; speeds.len()]);
     }
-    let threads = std::thread::available_parallelism().map_or(1, |count| count.get());
-    let share = speeds.len().div_ceil(threads).max(1);
-    let parts = std::thread::scope(|scope| {
-        let work = |part: &'_ [f64]| part.iter().map(|speed| at(*speed)).collect::<Vec<_>>();
-        let running: Vec<_> = speeds.chunks(share).map(|part| scope.spawn(move || work(part))).collect();
-        running.into_iter().map(std::thread::ScopedJoinHandle::join).collect::<Vec<_>>()
-    });
-    let mut all = Vec::with_capacity(speeds.len());
-    for part in parts {
-        match part {
-            Ok(found) => all.extend(found),
-            Err(panic) => std::panic::resume_unwind(panic),
-        }
-    }
+    let all: Vec<Result<GasAtSpeed, MountedError>> = speeds.par_iter().map(|speed| at(*speed)).collect();
     all.into_iter().collect()
 }
 

@@ -1,34 +1,17 @@
 //! The folder of engine files: the only place that the studio reads from and writes to.
 
-use crate::problem::{Found, Problem};
-use axum::http::StatusCode;
-use lanchester::file::EngineFile;
-use lanchester::model::Engine;
-use lanchester::{TraceFile, fnv1a, give_torques, torque_file_names, trace_names};
+use lanchester_answers::{
+    FileState, Files, Found, LONGEST_FILE, Problem, Status, is_engine_file, revision, text_of, too_long,
+};
 use lanchester_files::{NewFile, Over, PutError, open_regular};
-use schemars::JsonSchema;
-use serde::Serialize;
 use std::fs;
 use std::io::{self, Read, Write};
 use std::path::{Component, Path, PathBuf};
 
-/// An engine file may be this long; a longer one is some other file.
-const LONGEST_FILE: u64 = 4 << 20;
 /// A file of pressures may be this long.
 const LONGEST_TRACE: u64 = 64 << 20;
 /// Names that are listed.
 const MOST_NAMES: usize = 500;
-
-/// An engine file as it stands in the folder.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-pub(crate) struct FileState {
-    /// Its name in the folder.
-    pub(crate) name: String,
-    /// Its text.
-    pub(crate) text: String,
-    /// Tells one text from another.
-    pub(crate) revision: String,
-}
 
 /// The folder.
 #[derive(Debug, Clone)]
@@ -42,14 +25,15 @@ impl Folder {
         let root = if folder.as_os_str().is_empty() { Path::new(".") } else { folder }.canonicalize()?;
         if root.is_dir() { Ok(Folder { root }) } else { Err(io::ErrorKind::NotADirectory.into()) }
     }
+}
 
-    /// Its path, for people.
-    pub(crate) fn name(&self) -> String {
+impl Files for Folder {
+    /// Its path.
+    fn place(&self) -> String {
         self.root.display().to_string()
     }
 
-    /// Engine files in it, sorted.
-    pub(crate) fn names(&self) -> Vec<String> {
+    fn names(&self) -> Vec<String> {
         let entries = fs::read_dir(&self.root).into_iter().flatten().flatten();
         // Links are followed; a named pipe would let whoever opens it wait for ever.
         let files = entries.filter(|entry| entry.path().is_file());
@@ -60,30 +44,24 @@ impl Folder {
         names
     }
 
-    /// An engine file.
-    pub(crate) fn open(&self, name: &str) -> Result<FileState, Problem> {
+    fn open(&self, name: &str) -> Result<FileState, Problem> {
         let path = self.engine_file(name)?;
         let text = self.read(&path, name, LONGEST_FILE)?;
-        Ok(FileState { name: name.to_string(), revision: revision(&text), text })
+        Ok(FileState::new(name, text))
     }
 
-    /// Writes an engine file: over the text of this revision, or a new one. Whole or not at all.
-    pub(crate) fn save(&self, name: &str, text: &str, over: Option<&str>) -> Result<FileState, Problem> {
+    fn save(&self, name: &str, text: &str, over: Option<&str>) -> Result<FileState, Problem> {
         let path = self.engine_file(name)?;
         if text.len() as u64 > LONGEST_FILE {
             return Err(too_long(name, LONGEST_FILE));
         }
         let refused = |error: PutError| match error {
-            PutError::Exists => conflict(Found::Exists, format!("{name} exists already")),
-            PutError::Changed => {
-                conflict(Found::Changed, format!("another program changed {name} since it was opened here"))
-            }
-            PutError::Removed => {
-                conflict(Found::Removed, format!("another program removed {name} since it was opened here"))
-            }
+            PutError::Exists => Found::Exists.problem(name),
+            PutError::Changed => Found::Changed.problem(name),
+            PutError::Removed => Found::Removed.problem(name),
             _ => {
                 let hint = "the text is still here: save it under another name, or download it";
-                Problem::new(StatusCode::UNPROCESSABLE_ENTITY, format!("cannot write {name}: {error}"), hint)
+                Problem::new(Status::Refused, format!("cannot write {name}: {error}"), hint)
             }
         };
         let put = |path: &Path, over: Over| {
@@ -107,34 +85,20 @@ impl Folder {
                 put(&target, Over::Text(before.as_bytes())).map_err(refused)?;
             }
         }
-        Ok(FileState { name: name.to_string(), revision: revision(text), text: text.to_string() })
+        Ok(FileState::new(name, text.to_string()))
     }
 
-    /// The files of pressure that an engine names; they stand in this folder.
-    pub(crate) fn traces(&self, engine: &Engine) -> Result<Vec<TraceFile>, Problem> {
-        self.named(trace_names(engine), "[gas]")
+    /// It stands in this folder.
+    fn named(&self, name: &str, by: &str) -> Result<String, Problem> {
+        let there = self.root.join(name).canonicalize().map_err(|error| {
+            let hint = format!("{by} names it: put it into the folder {}", self.place());
+            Problem::new(Status::Refused, format!("cannot read {name}: {error}"), hint)
+        })?;
+        self.read(&self.within(&there, name)?, name, LONGEST_TRACE)
     }
+}
 
-    /// Gives an engine file the torques of the files in this folder that it names.
-    pub(crate) fn with_torques(&self, mut file: EngineFile) -> Result<EngineFile, Problem> {
-        let files = self.named(torque_file_names(&file), "[simulation]")?;
-        give_torques(&mut file, &files).map_err(Problem::refused)?;
-        Ok(file)
-    }
-
-    fn named(&self, names: Vec<&str>, by: &str) -> Result<Vec<TraceFile>, Problem> {
-        let read = |name: &str| {
-            let path = self.root.join(name);
-            let there = path.canonicalize().map_err(|error| {
-                let hint = format!("{by} names it: put it into the folder {}", self.name());
-                Problem::new(StatusCode::UNPROCESSABLE_ENTITY, format!("cannot read {name}: {error}"), hint)
-            })?;
-            let text = self.read(&self.within(&there, name)?, name, LONGEST_TRACE)?;
-            Ok(TraceFile { name: name.to_string(), text })
-        };
-        names.into_iter().map(read).collect()
-    }
-
+impl Folder {
     /// The path of a file that may be opened and saved: a plain name in this folder.
     fn engine_file(&self, name: &str) -> Result<PathBuf, Problem> {
         let path = Path::new(name);
@@ -144,12 +108,12 @@ impl Folder {
             return Ok(self.root.join(path));
         }
         Err(Problem::new(
-            StatusCode::UNPROCESSABLE_ENTITY,
+            Status::Refused,
             format!(
                 "an engine file is a name in this folder that ends in .toml, got `{}`",
                 name.chars().take(80).collect::<String>()
             ),
-            format!("write it like engine.toml; the folder is {}", self.name()),
+            format!("write it like engine.toml; the folder is {}", self.place()),
         ))
     }
 
@@ -158,8 +122,8 @@ impl Folder {
             return Ok(path.to_path_buf());
         }
         Err(Problem::new(
-            StatusCode::FORBIDDEN,
-            format!("{name} lies outside of the folder {}", self.name()),
+            Status::Forbidden,
+            format!("{name} lies outside of the folder {}", self.place()),
             "the studio reads and writes this folder alone: move the file into it",
         ))
     }
@@ -169,43 +133,13 @@ impl Folder {
         let mut bytes = Vec::new();
         let outcome = open_regular(&path).and_then(|file| file.take(longest + 1).read_to_end(&mut bytes));
         outcome.map_err(|error| {
-            Problem::new(
-                StatusCode::UNPROCESSABLE_ENTITY,
-                format!("cannot read {name}: {error}"),
-                "open another file",
-            )
+            Problem::new(Status::Refused, format!("cannot read {name}: {error}"), "open another file")
         })?;
         if bytes.len() as u64 > longest {
             return Err(too_long(name, longest));
         }
-        String::from_utf8(bytes).map_err(|error| {
-            let at = error.utf8_error().valid_up_to();
-            let message = format!("{name} is not UTF-8 text (byte {at})");
-            Problem::new(StatusCode::UNPROCESSABLE_ENTITY, message, "save it as UTF-8")
-        })
+        text_of(name, bytes)
     }
-}
-
-fn is_engine_file(name: &str) -> bool {
-    name.ends_with(".toml") && name.len() > ".toml".len() && !name.starts_with('.')
-}
-
-fn conflict(found: Found, message: String) -> Problem {
-    let hint = match found {
-        Found::Changed | Found::Exists => "keep one of both, or save under another name",
-        Found::Removed => "save it anew, or under another name",
-    };
-    Problem { found: Some(found), ..Problem::new(StatusCode::CONFLICT, message, hint) }
-}
-
-fn too_long(name: &str, longest: u64) -> Problem {
-    let message = format!("{name} is longer than {} MiB", longest >> 20);
-    Problem::new(StatusCode::UNPROCESSABLE_ENTITY, message, "is this the right file?")
-}
-
-/// Tells one text from another.
-fn revision(text: &str) -> String {
-    format!("{:016x}", fnv1a(text.as_bytes()))
 }
 
 #[cfg(test)]
@@ -227,11 +161,11 @@ mod tests {
         let second = folder.save("a.toml", "two", Some(&first.revision)).unwrap();
         assert_eq!(folder.open("a.toml").unwrap(), second);
         let changed = folder.save("a.toml", "three", Some(&first.revision)).unwrap_err();
-        assert_eq!((changed.status, changed.found), (409, Some(Found::Changed)));
+        assert_eq!((changed.status, changed.found), (Status::Conflict, Some(Found::Changed)));
         assert_eq!(folder.open("a.toml").unwrap().text, "two");
         fs::remove_file(folder.root.join("a.toml")).unwrap();
         let removed = folder.save("a.toml", "three", Some(&second.revision)).unwrap_err();
-        assert_eq!((removed.status, removed.found), (409, Some(Found::Removed)));
+        assert_eq!((removed.status, removed.found), (Status::Conflict, Some(Found::Removed)));
         folder.save("a.toml", "three", None).unwrap();
         assert_eq!(folder.names(), ["a.toml"]);
         fs::remove_dir_all(&folder.root).unwrap();
@@ -280,9 +214,9 @@ mod tests {
         let (inside, outside) = (folder("inside"), folder("outside"));
         outside.save("secret.toml", "x", None).unwrap();
         std::os::unix::fs::symlink(outside.root.join("secret.toml"), inside.root.join("link.toml")).unwrap();
-        assert_eq!(inside.open("link.toml").unwrap_err().status, 403);
+        assert_eq!(inside.open("link.toml").unwrap_err().status, Status::Forbidden);
         let revision = revision("x");
-        assert_eq!(inside.save("link.toml", "y", Some(&revision)).unwrap_err().status, 403);
+        assert_eq!(inside.save("link.toml", "y", Some(&revision)).unwrap_err().status, Status::Forbidden);
         assert_eq!(outside.open("secret.toml").unwrap().text, "x");
         fs::remove_dir_all(&inside.root).unwrap();
         fs::remove_dir_all(&outside.root).unwrap();

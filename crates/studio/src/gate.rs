@@ -1,7 +1,7 @@
 //! Who may ask: pages of this server that know its token, on this machine.
 
-use crate::problem::Problem;
-use axum::http::{HeaderMap, HeaderName, StatusCode, Uri, header};
+use axum::http::{HeaderMap, HeaderName, Uri, header};
+use lanchester_answers::{Problem, Status};
 
 /// The header that holds the token.
 pub(crate) const TOKEN: &str = "x-lanchester-token";
@@ -28,7 +28,7 @@ impl Gate {
     pub(crate) fn check_place(&self, headers: &HeaderMap, uri: &Uri) -> Result<(), Problem> {
         let refused = |what: String| {
             Problem::new(
-                StatusCode::FORBIDDEN,
+                Status::Forbidden,
                 what,
                 format!("open the address that `lanchester studio` printed, http://127.0.0.1:{}", self.port),
             )
@@ -74,7 +74,7 @@ impl Gate {
             return Ok(());
         }
         Err(Problem::new(
-            StatusCode::UNAUTHORIZED,
+            Status::Unauthorised,
             "the address of this page has no valid token",
             "open the address that `lanchester studio` printed when it was started last",
         ))

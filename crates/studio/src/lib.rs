@@ -4,27 +4,19 @@
 //! JSON over the facade, the same structures as `--format json` prints. The engine file's text is the only state, and the page
 //! holds it: every question brings the text along, so that two windows, a restart or a lost connection cost nothing.
 //!
-//! `questions` has the one list of questions: the server answers by it, and [`openapi`] and [`typescript`] describe it.
+//! The questions and what answers them are `lanchester_answers`; here stands what carries them.
 #![forbid(unsafe_code)]
 
-mod api;
-mod asker;
+mod asking;
 mod assets;
 mod error;
 mod folder;
 mod gate;
 mod lanes;
-mod openapi;
-mod problem;
-mod questions;
-mod remembered;
 mod server;
-mod state;
-mod typescript;
 mod watch;
 
 pub use assets::THIRD_PARTY;
 pub use error::StudioError;
-pub use openapi::openapi;
+pub use lanchester_answers::{openapi, typescript};
 pub use server::{Options, serve};
-pub use typescript::typescript;

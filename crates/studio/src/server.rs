@@ -1,30 +1,27 @@
 //! The server: one address, a page and its questions.
 
+use crate::asking::{self, Desk, refused};
 use crate::assets::asset;
 use crate::error::StudioError;
 use crate::folder::Folder;
 use crate::gate::{Gate, random_token};
-use crate::lanes::Lanes;
-use crate::openapi;
-use crate::problem::Problem;
-use crate::remembered::Remembered;
-use crate::state::Studio;
 use crate::watch::events;
 use axum::Router;
 use axum::body::{Body, to_bytes};
 use axum::extract::{DefaultBodyLimit, Request, State};
-use axum::http::{HeaderValue, StatusCode, header};
+use axum::http::{HeaderValue, header};
 use axum::middleware::{Next, from_fn_with_state, map_response};
-use axum::response::{IntoResponse, Response};
+use axum::response::Response;
 use axum::routing::get;
 use hyper::server::conn::http1;
 use hyper_util::rt::{TokioIo, TokioTimer};
 use hyper_util::service::TowerToHyperService;
+use lanchester_answers::{Files, Problem, Status, Studio};
 use std::convert::Infallible;
 use std::net::{Ipv4Addr, SocketAddr};
 use std::path::PathBuf;
-use std::sync::{Arc, Mutex};
-use std::time::Duration;
+use std::sync::{Arc, LazyLock};
+use std::time::{Duration, Instant};
 use tokio::net::TcpListener;
 use tokio::sync::Semaphore;
 
@@ -83,14 +80,11 @@ pub fn serve(options: &Options, announce: impl FnOnce(&str)) -> Result<(), Studi
         None => random_token().map_err(|error| system(&error))?,
     };
     let processors = std::thread::available_parallelism().map_or(2, usize::from);
-    let studio = Studio {
-        program: options.program.clone(),
-        folder,
-        open: Mutex::new(open),
-        lanes: Lanes::default(),
-        mounted: Remembered::default(),
-        processors: Arc::new(Semaphore::new(processors)),
-    };
+    let studio = Studio::new(options.program.clone(), Box::new(folder), since_start);
+    if let Some(name) = open {
+        studio.opened(&name);
+    }
+    let desk = Desk::new(studio, processors);
     let runtime = tokio::runtime::Builder::new_multi_thread().enable_all().build();
     let runtime = runtime.map_err(|error| system(&error))?;
     let ended = runtime.block_on(async {
@@ -100,7 +94,7 @@ pub fn serve(options: &Options, announce: impl FnOnce(&str)) -> Result<(), Studi
             _ => StudioError::Listen { address, error },
         })?;
         let address = listener.local_addr().map_err(|error| system(&error))?;
-        let app = router(Arc::new(studio), Gate::new(token.clone(), address.port()));
+        let app = router(Arc::new(desk), Gate::new(token.clone(), address.port()));
         announce(&format!("http://{address}/?token={token}"));
         tokio::select! {
             never = answer(listener, app) => match never {},
@@ -145,10 +139,15 @@ async fn terminated() {
     std::future::pending().await
 }
 
-fn router(studio: Arc<Studio>, gate: Gate) -> Router {
-    let watched = studio.clone();
-    let questions =
-        openapi::all().router(studio).route("/api/events", get(move || async { events(watched) }));
+/// Time since the first call.
+fn since_start() -> Duration {
+    static START: LazyLock<Instant> = LazyLock::new(Instant::now);
+    START.elapsed()
+}
+
+fn router(desk: Arc<Desk>, gate: Gate) -> Router {
+    let watched = desk.clone();
+    let questions = asking::router(desk).route("/api/events", get(move || async { events(watched) }));
     let questions = questions
         .layer(DefaultBodyLimit::max(LONGEST_QUESTION))
         .layer(from_fn_with_state(gate.clone(), with_token));
@@ -167,28 +166,27 @@ async fn guarded(mut response: Response) -> Response {
 
 async fn with_token(State(gate): State<Gate>, request: Request, next: Next) -> Response {
     if let Err(problem) = gate.check_token(request.headers(), request.uri()) {
-        return problem.into_response();
+        return refused(problem);
     }
     let (parts, body) = request.into_parts();
-    let refused = |status, message: String, hint: &str| Problem::new(status, message, hint).into_response();
     match tokio::time::timeout(PATIENCE, to_bytes(body, LONGEST_QUESTION)).await {
         Ok(Ok(bytes)) => next.run(Request::from_parts(parts, Body::from(bytes))).await,
-        Ok(Err(_)) => refused(
-            StatusCode::PAYLOAD_TOO_LARGE,
+        Ok(Err(_)) => refused(Problem::new(
+            Status::TooLong,
             format!("a question has at most {} MiB, got a longer one", LONGEST_QUESTION >> 20),
             "ask about fewer files at a time",
-        ),
-        Err(_) => refused(
-            StatusCode::REQUEST_TIMEOUT,
+        )),
+        Err(_) => refused(Problem::new(
+            Status::Late,
             format!("a question comes whole within {} s, got a part of it", PATIENCE.as_secs()),
             "ask again",
-        ),
+        )),
     }
 }
 
 async fn in_place(State(gate): State<Gate>, request: Request, next: Next) -> Response {
     match gate.check_place(request.headers(), request.uri()) {
         Ok(()) => next.run(request).await,
-        Err(problem) => problem.into_response(),
+        Err(problem) => refused(problem),
     }
 }

@@ -1,9 +1,9 @@
 //! Tells the page when the open file changes on the disk.
 
-use crate::state::Studio;
+use crate::asking::Desk;
 use axum::response::sse::{Event, KeepAlive, KeepAliveStream, Sse};
 use std::convert::Infallible;
-use std::sync::{Arc, PoisonError};
+use std::sync::Arc;
 use std::time::Duration;
 use tokio_stream::wrappers::ReceiverStream;
 
@@ -11,15 +11,13 @@ use tokio_stream::wrappers::ReceiverStream;
 const PERIOD: Duration = Duration::from_millis(700);
 
 /// Events `file`, each with the file as it stands or `null`: once at the start, then with every change.
-pub(crate) fn events(studio: Arc<Studio>) -> Sse<KeepAliveStream<ReceiverStream<Result<Event, Infallible>>>> {
+pub(crate) fn events(desk: Arc<Desk>) -> Sse<KeepAliveStream<ReceiverStream<Result<Event, Infallible>>>> {
     let (sender, receiver) = tokio::sync::mpsc::channel(4);
     tokio::spawn(async move {
         let mut told = None;
         loop {
-            let name = studio.open.lock().unwrap_or_else(PoisonError::into_inner).clone();
-            let folder = studio.folder.clone();
-            let state =
-                tokio::task::spawn_blocking(move || name.and_then(|name| folder.open(&name).ok())).await;
+            let desk = desk.clone();
+            let state = tokio::task::spawn_blocking(move || desk.studio.open_file()).await;
             let state = state.ok().flatten();
             let key = state.as_ref().map(|state| (state.name.clone(), state.revision.clone()));
             if told.as_ref() != Some(&key) {

@@ -4,7 +4,7 @@ use serde_json::Value;
 
 /// Each crate and the workspace crates that it may name as normal dependencies. A crate that is not here may not
 /// exist: a new room needs a decision record and a line.
-const ARROWS: [(&str, &[&str]); 34] = [
+const ARROWS: [(&str, &[&str]); 35] = [
     ("lanchester-numerics", &[]),
     ("lanchester-shape", &["lanchester-numerics"]),
     ("lanchester-units", &[]),
@@ -143,7 +143,8 @@ const ARROWS: [(&str, &[&str]); 34] = [
     ),
     ("lanchester-validation", &["lanchester"]),
     ("lanchester-files", &[]),
-    ("lanchester-studio", &["lanchester", "lanchester-files"]),
+    ("lanchester-answers", &["lanchester"]),
+    ("lanchester-studio", &["lanchester-answers", "lanchester-files"]),
     (
         "lanchester-cli",
         &["lanchester", "lanchester-files", "lanchester-sheet", "lanchester-studio", "lanchester-validation"],

@@ -2,11 +2,10 @@
 
 use crate::api::Api;
 use crate::asker::Asker;
-use crate::folder::FileState;
+use crate::files::FileState;
 use crate::problem::Problem;
 use schemars::JsonSchema;
 use serde::Deserialize;
-use std::sync::PoisonError;
 
 /// Which file is opened.
 #[derive(Debug, Deserialize, JsonSchema)]
@@ -42,13 +41,13 @@ pub(crate) fn questions(api: Api) -> Api {
 }
 
 fn open(asker: &Asker, question: OpenFile) -> Result<FileState, Problem> {
-    let file = asker.studio.folder.open(&question.name)?;
-    *asker.studio.open.lock().unwrap_or_else(PoisonError::into_inner) = Some(file.name.clone());
+    let file = asker.studio.files.open(&question.name)?;
+    asker.studio.opened(&file.name);
     Ok(file)
 }
 
 fn save(asker: &Asker, question: SaveFile) -> Result<FileState, Problem> {
-    let file = asker.studio.folder.save(&question.name, &question.text, question.revision.as_deref())?;
-    *asker.studio.open.lock().unwrap_or_else(PoisonError::into_inner) = Some(file.name.clone());
+    let file = asker.studio.files.save(&question.name, &question.text, question.revision.as_deref())?;
+    asker.studio.opened(&file.name);
     Ok(file)
 }

@@ -173,7 +173,7 @@ fn simulated(asker: &Asker, question: SimulateQuestion) -> Result<SimulationAnsw
             "a run here lasts above 0 and up to {MOST_REVOLUTIONS} revolutions, got {turns}\nhint: `lanchester simulate` runs longer"
         ));
     }
-    let file = asker.studio.folder.with_torques(engine_file(&question.text)?)?;
+    let file = asker.studio.with_torques(engine_file(&question.text)?)?;
     let count = file.engine.cylinders.len();
     if let Some(number) = question.misfire.iter().find(|number| !(1..=count).contains(*number)) {
         return refused(format!("cylinders are numbered from 1 to {count}, got {number}"));
@@ -232,7 +232,7 @@ fn simulated(asker: &Asker, question: SimulateQuestion) -> Result<SimulationAnsw
     let in_file = file.tasks.simulation.as_ref().and_then(|input| input.gas);
     let traces = match request.gas.or(in_file) {
         Some(false) => Vec::new(),
-        _ => asker.studio.folder.traces(&file.engine)?,
+        _ => asker.studio.traces(&file.engine)?,
     };
     // What nobody waits for any more ends, and so does what would keep a page waiting for minutes.
     let result =

@@ -1,8 +1,5 @@
 //! What is told where a question has no answer.
 
-use axum::Json;
-use axum::http::StatusCode;
-use axum::response::{IntoResponse, Response};
 use lanchester::file::Diagnostic;
 use lanchester::task::option::BadQuantity;
 use schemars::JsonSchema;
@@ -19,8 +16,33 @@ pub struct Problem {
     pub diagnostics: Vec<Diagnostic>,
     /// How a file stands that was to be written over.
     pub found: Option<Found>,
+    /// What kind of refusal this is.
     #[serde(skip)]
-    pub(crate) status: u16,
+    pub status: Status,
+}
+
+/// Kinds of refusals, with the numbers that HTTP has for them.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[repr(u16)]
+pub enum Status {
+    /// The question cannot be read.
+    BadQuestion = 400,
+    /// Whoever asks does not know the token.
+    Unauthorised = 401,
+    /// Whoever asks may not have this.
+    Forbidden = 403,
+    /// There is no such question.
+    NoSuchQuestion = 404,
+    /// The question did not come whole in time.
+    Late = 408,
+    /// Something newer stands in the way.
+    Conflict = 409,
+    /// The question is too long.
+    TooLong = 413,
+    /// The question is understood, and has no answer.
+    Refused = 422,
+    /// A mistake of this program.
+    Broken = 500,
 }
 
 /// How a file stands on the disk, other than whoever saves it believes.
@@ -36,8 +58,8 @@ pub enum Found {
 }
 
 impl Problem {
-    pub(crate) fn new(status: StatusCode, message: impl Into<String>, hint: impl Into<String>) -> Problem {
-        let status = status.as_u16();
+    /// A refusal.
+    pub fn new(status: Status, message: impl Into<String>, hint: impl Into<String>) -> Problem {
         Problem {
             message: message.into(),
             hint: Some(hint.into()),
@@ -54,8 +76,7 @@ impl Problem {
             Some((message, hint)) => (message.to_string(), Some(hint.to_string())),
             None => (text, None),
         };
-        let status = StatusCode::UNPROCESSABLE_ENTITY.as_u16();
-        Problem { message, hint, diagnostics: Vec::new(), found: None, status }
+        Problem { message, hint, diagnostics: Vec::new(), found: None, status: Status::Refused }
     }
 
     /// A quantity or a criterion that cannot be read.
@@ -79,12 +100,5 @@ impl Problem {
         let first = diagnostics.first().map_or("", |diagnostic| diagnostic.message.as_str());
         let message = format!("the graph has mistakes: {first}");
         Problem { diagnostics, ..Problem::refused(message) }
-    }
-}
-
-impl IntoResponse for Problem {
-    fn into_response(self) -> Response {
-        let status = StatusCode::from_u16(self.status).unwrap_or(StatusCode::INTERNAL_SERVER_ERROR);
-        (status, Json(self)).into_response()
     }
 }

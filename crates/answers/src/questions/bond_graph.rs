@@ -221,11 +221,11 @@ pub(crate) fn questions(api: Api) -> Api {
 }
 
 fn of_engine(asker: &Asker, question: EngineGraphQuestion) -> Result<EngineGraphAnswer, Problem> {
-    let mut file = asker.studio.folder.with_torques(engine_file(&question.text)?)?;
+    let mut file = asker.studio.with_torques(engine_file(&question.text)?)?;
     if question.without_shafts {
         file.engine = file.engine.without_shafts();
     }
-    let traces = asker.studio.folder.traces(&file.engine)?;
+    let traces = asker.studio.traces(&file.engine)?;
     let request = BondGraphRequest {
         block: question.block.map(|block| match block {
             BlockOf::Fixed => EngineBlock::Fixed,

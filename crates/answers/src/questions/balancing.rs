@@ -20,7 +20,6 @@ use lanchester::task::{
 use lanchester::{RobustError, RobustOptions, WebBoundError, optimise_on_webs, robust_balance_while};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use std::time::Instant;
 
 /// What may be changed, and what is wanted.
 #[derive(Debug, Deserialize, JsonSchema)]
@@ -217,13 +216,13 @@ fn balanced(asker: &Asker, question: BalanceQuestion) -> Result<BalanceAnswer, P
     let warning = |fault: RoomFault| Warning { message: fault.message, hint: fault.hint.into() };
     let warnings = warnings.into_iter().map(warning).collect();
     let settings = settings(&question)?;
-    let began = Instant::now();
+    let began = (asker.studio.clock)();
     let watch = |_: &SearchState| match asker.waits() {
-        true => settings.next(began.elapsed().as_secs_f64()),
+        true => settings.next((asker.studio.clock)().saturating_sub(began).as_secs_f64()),
         false => Next::Abandon,
     };
     let traces = match task.counts_gas() {
-        true => asker.studio.folder.traces(&engine)?,
+        true => asker.studio.traces(&engine)?,
         false => Vec::new(),
     };
     let (answer, robust) = match robust(&question)? {

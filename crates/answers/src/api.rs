@@ -1,18 +1,83 @@
 //! What a question is: its path, its schemas, and what answers it.
 
 use crate::asker::Asker;
-use crate::problem::Problem;
-use crate::state::{Studio, superseded};
-use axum::Router;
-use axum::body::Bytes;
-use axum::http::{HeaderMap, HeaderValue, StatusCode, header};
-use axum::response::{IntoResponse, Response};
-use axum::routing::{get, post, put};
+use crate::problem::{Problem, Status};
 use schemars::generate::SchemaSettings;
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
-use std::sync::Arc;
+
+/// What is asked, as it was carried here.
+#[derive(Debug, Clone, Copy)]
+pub struct Question<'a> {
+    /// `GET`, `POST` or `PUT`.
+    pub method: &'a str,
+    /// Its path.
+    pub path: &'a str,
+    /// JSON; empty for a question without a body.
+    pub body: &'a [u8],
+}
+
+/// What comes back, to be carried as it is.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Reply {
+    /// The number that HTTP has for this kind of answer; 200 where there is one.
+    pub status: u16,
+    /// The media type of the bytes.
+    pub kind: &'static str,
+    /// A file, or JSON: an answer or a [`Problem`].
+    pub bytes: Vec<u8>,
+}
+
+impl From<Problem> for Reply {
+    fn from(problem: Problem) -> Reply {
+        let bytes = serde_json::to_vec(&problem).unwrap_or_default();
+        Reply { status: problem.status as u16, kind: JSON, bytes }
+    }
+}
+
+const JSON: &str = "application/json";
+const REPORT: &str = "this is an internal error: please report it with the engine file";
+
+/// From the bytes of a question to its answer.
+type AnswerFn = Box<dyn Fn(&Asker, &[u8]) -> Result<Made, Problem> + Send + Sync>;
+
+/// All questions with what answers them.
+pub struct Answers(Vec<(Place, AnswerFn)>);
+
+/// Where a question is asked.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct Place {
+    method: &'static str,
+    path: &'static str,
+}
+
+impl Answers {
+    /// Every question: its method in capitals and its path.
+    pub fn places(&self) -> impl Iterator<Item = (&'static str, &'static str)> {
+        self.0.iter().map(|(place, _)| (place.method, place.path))
+    }
+
+    /// The answer to a question, or why there is none.
+    pub fn answer(&self, asker: &Asker, question: Question) -> Reply {
+        let is_asked = |place: &Place| place.path == question.path && place.method == question.method;
+        let Some((_, answer)) = self.0.iter().find(|(place, _)| is_asked(place)) else {
+            let message = format!("the studio has no question {} {}", question.method, question.path);
+            return Problem::new(Status::NoSuchQuestion, message, OPENAPI).into();
+        };
+        match answer(asker, question.body) {
+            Ok(made) => Reply { status: 200, kind: made.kind, bytes: made.bytes },
+            Err(problem) => problem.into(),
+        }
+    }
+}
+
+const OPENAPI: &str = "/api/openapi.json describes every question";
+
+/// What a question whose computation broke off gets.
+pub fn broken_off() -> Problem {
+    Problem::new(Status::Broken, "the computation broke off", REPORT)
+}
 
 /// A question, for [`crate::openapi`].
 pub(crate) struct Endpoint {
@@ -37,8 +102,8 @@ pub(crate) struct Made {
 }
 
 /// Questions with their schemas, and what answers them; [`crate::openapi::all`] has all of them.
-pub struct Api {
-    router: Router<Arc<Studio>>,
+pub(crate) struct Api {
+    answers: Answers,
     pub(crate) endpoints: Vec<Endpoint>,
     pub(crate) schemas: SchemaGenerator,
     /// Questions as they are read: what may be left out is not required.
@@ -56,7 +121,7 @@ impl Api {
             settings.into_generator()
         };
         let mut api = Api {
-            router: Router::new(),
+            answers: Answers(Vec::new()),
             endpoints: Vec::new(),
             schemas: generator(SchemaSettings::draft2020_12().for_serialize()),
             asked: generator(SchemaSettings::draft2020_12().for_deserialize()),
@@ -75,10 +140,7 @@ impl Api {
     ) -> Api {
         let schema = Answer::Json(self.schemas.subschema_for::<T>());
         self.endpoints.push(Endpoint { method: "get", path, doc, question: None, answer: schema });
-        let handler = move |state: axum::extract::State<Arc<Studio>>, headers: HeaderMap| async move {
-            work(state.0, &headers, move |asker| json(&answer(asker)?)).await
-        };
-        self.router = self.router.route(path, get(handler));
+        self.answered("GET", path, move |asker, _| json(&answer(asker)?));
         self
     }
 
@@ -119,10 +181,8 @@ impl Api {
         self.asked.subschema_for::<Q>();
         let schema = Answer::Json(self.schemas.subschema_for::<T>());
         self.endpoints.push(Endpoint { method, path, doc, question, answer: schema });
-        let handler = move |state: axum::extract::State<Arc<Studio>>, headers: HeaderMap, body: Bytes| async move {
-            work(state.0, &headers, move |asker| json(&answer(asker, question_of(&body)?)?)).await
-        };
-        self.router = self.router.route(path, if method == "put" { put(handler) } else { post(handler) });
+        let capitals = if method == "put" { "PUT" } else { "POST" };
+        self.answered(capitals, path, move |asker, body| json(&answer(asker, question_of(body)?)?));
         self
     }
 
@@ -137,68 +197,34 @@ impl Api {
         let question = Some(self.schemas.subschema_for::<Q>());
         self.asked.subschema_for::<Q>();
         self.endpoints.push(Endpoint { method: "post", path, doc, question, answer: Answer::File(kind) });
-        let handler = move |state: axum::extract::State<Arc<Studio>>, headers: HeaderMap, body: Bytes| async move {
-            work(state.0, &headers, move |asker| {
-                let made = answer(asker, question_of(&body)?)?;
-                let kind = HeaderValue::from_static(made.kind);
-                Ok(([(header::CONTENT_TYPE, kind)], made.bytes).into_response())
-            })
-            .await
-        };
-        self.router = self.router.route(path, post(handler));
+        self.answered("POST", path, move |asker, body| answer(asker, question_of(body)?));
         self
     }
 
+    fn answered(
+        &mut self,
+        method: &'static str,
+        path: &'static str,
+        answer: impl Fn(&Asker, &[u8]) -> Result<Made, Problem> + Send + Sync + 'static,
+    ) {
+        self.answers.0.push((Place { method, path }, Box::new(answer)));
+    }
+
     /// What answers.
-    pub(crate) fn router(self, studio: Arc<Studio>) -> Router {
-        self.router.with_state(studio)
+    pub(crate) fn answers(self) -> Answers {
+        self.answers
     }
 }
 
 fn question_of<Q: DeserializeOwned>(body: &[u8]) -> Result<Q, Problem> {
     serde_json::from_slice(body).map_err(|error| {
-        let hint = "/api/openapi.json describes every question";
-        Problem::new(StatusCode::BAD_REQUEST, format!("the question cannot be read: {error}"), hint)
+        Problem::new(Status::BadQuestion, format!("the question cannot be read: {error}"), OPENAPI)
     })
 }
 
-fn json(answer: &impl Serialize) -> Result<Response, Problem> {
+fn json(answer: &impl Serialize) -> Result<Made, Problem> {
     let bytes = serde_json::to_vec(answer).map_err(|error| {
-        Problem::new(
-            StatusCode::INTERNAL_SERVER_ERROR,
-            format!("the answer cannot be written: {error}"),
-            REPORT,
-        )
+        Problem::new(Status::Broken, format!("the answer cannot be written: {error}"), REPORT)
     })?;
-    Ok(([(header::CONTENT_TYPE, HeaderValue::from_static("application/json"))], bytes).into_response())
-}
-
-const REPORT: &str = "this is an internal error: please report it with the engine file";
-
-/// Computes beside the server, so that it answers meanwhile; what nobody waits for any more is not begun.
-async fn work(
-    studio: Arc<Studio>,
-    headers: &HeaderMap,
-    answer: impl FnOnce(&Asker) -> Result<Response, Problem> + Send + 'static,
-) -> Response {
-    let text = |name: &str| headers.get(name).and_then(|value| value.to_str().ok());
-    let place = text("x-lanchester-client")
-        .zip(text("x-lanchester-lane"))
-        .filter(|(client, lane)| client.len() + lane.len() < 200)
-        .map(|(client, lane)| studio.lanes.enter(client, lane));
-    let (asker, _waiting) = Asker::new(studio.clone(), place);
-    let Ok(permit) = studio.processors.clone().acquire_owned().await else {
-        return superseded().into_response();
-    };
-    let computed = tokio::task::spawn_blocking(move || {
-        // What is computed holds its processor, whether or not somebody still waits for it.
-        let _permit = permit;
-        if asker.waits() { answer(&asker) } else { Err(superseded()) }
-    });
-    match computed.await {
-        Ok(Ok(response)) => response,
-        Ok(Err(problem)) => problem.into_response(),
-        Err(_) => Problem::new(StatusCode::INTERNAL_SERVER_ERROR, "the computation broke off", REPORT)
-            .into_response(),
-    }
+    Ok(Made { kind: JSON, bytes })
 }

@@ -44,7 +44,7 @@ fn in_space(_: &Asker, question: EngineText) -> Result<Scene, Problem> {
 
 fn report_of<'a>(studio: &Studio, file: &'a EngineFile, text: &str) -> Result<EngineReport<'a>, Problem> {
     let traces = match is_running(file) {
-        true => studio.folder.traces(&file.engine),
+        true => studio.traces(&file.engine),
         false => Ok(Vec::new()),
     };
     let traces = traces.as_deref().map_err(|problem| problem.message.clone());
@@ -56,12 +56,12 @@ fn report_of<'a>(studio: &Studio, file: &'a EngineFile, text: &str) -> Result<En
 
 /// With the torques of its files; a report without them says what it leaves out.
 fn torques_of(asker: &Asker, file: EngineFile) -> EngineFile {
-    asker.studio.folder.with_torques(file.clone()).unwrap_or(file)
+    asker.studio.with_torques(file.clone()).unwrap_or(file)
 }
 
 fn figures(asker: &Asker, question: EngineText) -> Result<Vec<FigureSvg>, Problem> {
     let file = torques_of(asker, engine_file(&question.text)?);
-    let figures = report_of(&asker.studio, &file, &question.text)?.figures();
+    let figures = report_of(asker.studio, &file, &question.text)?.figures();
     let svg = |figure: &lanchester::report::Figure| FigureSvg {
         id: figure.id.clone(),
         title: figure.title.clone(),
@@ -73,7 +73,7 @@ fn figures(asker: &Asker, question: EngineText) -> Result<Vec<FigureSvg>, Proble
 
 fn report(asker: &Asker, question: ReportQuestion) -> Result<Made, Problem> {
     let file = torques_of(asker, engine_file(&question.text)?);
-    let report = report_of(&asker.studio, &file, &question.text)?;
+    let report = report_of(asker.studio, &file, &question.text)?;
     let request = LoadRequest::default();
     let provenance =
         provenance(&asker.studio.program, &question.name, &question.text, &report.loads, &request);

@@ -2,12 +2,11 @@
 
 use crate::api::Api;
 use crate::asker::Asker;
-use crate::folder::FileState;
+use crate::files::FileState;
 use crate::problem::Problem;
 use lanchester::file::{KeyTable, key_tables, templates};
 use schemars::JsonSchema;
 use serde::Serialize;
-use std::sync::PoisonError;
 
 /// The start of a session.
 #[derive(Debug, Serialize, JsonSchema)]
@@ -41,7 +40,6 @@ pub(crate) fn questions(api: Api) -> Api {
 }
 
 fn session(asker: &Asker) -> Result<Session, Problem> {
-    let open = asker.studio.open.lock().unwrap_or_else(PoisonError::into_inner).clone();
     let info = |template: &lanchester::file::Template| TemplateInfo {
         name: template.name,
         title: template.title,
@@ -49,9 +47,9 @@ fn session(asker: &Asker) -> Result<Session, Problem> {
     };
     Ok(Session {
         program: asker.studio.program.clone(),
-        file: open.and_then(|name| asker.studio.folder.open(&name).ok()),
-        folder: asker.studio.folder.name(),
-        files: asker.studio.folder.names(),
+        file: asker.studio.open_file(),
+        folder: asker.studio.files.place(),
+        files: asker.studio.files.names(),
         templates: templates().iter().map(info).collect(),
         tables: key_tables(),
     })

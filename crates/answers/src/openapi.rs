@@ -1,12 +1,17 @@
 //! The description of all questions and answers as OpenAPI 3.1, whose schemas are JSON Schemas.
 
-use crate::api::{Answer, Api, Endpoint};
+use crate::api::{Answer, Answers, Api, Endpoint};
 use crate::questions;
 use serde_json::{Map, Value, json};
 
 /// All questions, that for their description among them.
 pub(crate) fn all() -> Api {
     questions::all().get("/api/openapi.json", "This description.", |_| Ok(openapi()))
+}
+
+/// The one list of questions, with what answers them.
+pub fn answers() -> Answers {
+    all().answers()
 }
 
 /// The description.

@@ -204,7 +204,7 @@ fn internal(_: &Asker, question: AtSpeed) -> Result<Vec<InternalMoments>, Proble
 
 fn turning(asker: &Asker, question: AtSpeed) -> Result<TorqueReport, Problem> {
     let speed = question.speed()?;
-    let file = asker.studio.folder.with_torques(engine_file(&question.text)?)?;
+    let file = asker.studio.with_torques(engine_file(&question.text)?)?;
     let engine = file.engine;
     let request = TorqueReportRequest {
         simulation: file.tasks.simulation,
@@ -212,13 +212,13 @@ fn turning(asker: &Asker, question: AtSpeed) -> Result<TorqueReport, Problem> {
         speeds: power_speeds(&engine, POWER_SPEEDS),
         ..TorqueReportRequest::default()
     };
-    torque_report(&engine, &asker.studio.folder.traces(&engine)?, &request).map_err(Problem::refused)
+    torque_report(&engine, &asker.studio.traces(&engine)?, &request).map_err(Problem::refused)
 }
 
 fn bearings(asker: &Asker, question: AtSpeed) -> Result<BearingsAnswer, Problem> {
     let speed = question.speed()?;
     let engine = engine(&question.text)?;
-    let traces = asker.studio.folder.traces(&engine)?;
+    let traces = asker.studio.traces(&engine)?;
     let part = if engine.gas.is_some() { BearingPart::All } else { BearingPart::Inertia };
     let loads = |counterweights| {
         let request = BearingRequest { speed, part, counterweights, ..BearingRequest::default() };
@@ -232,7 +232,7 @@ fn bearings(asker: &Asker, question: AtSpeed) -> Result<BearingsAnswer, Problem>
 fn films(asker: &Asker, question: FilmsQuestion) -> Result<BearingFilms, Problem> {
     let speed = positive(question.speed)?;
     let engine = engine(&question.text)?;
-    let traces = asker.studio.folder.traces(&engine)?;
+    let traces = asker.studio.traces(&engine)?;
     let part = if engine.gas.is_some() { BearingPart::All } else { BearingPart::Inertia };
     let request = BearingRequest { speed, part, ..BearingRequest::default() };
     let loads = bearing_report(&engine, &traces, &request).map_err(Problem::refused)?;
@@ -247,7 +247,7 @@ fn mounted(asker: &Asker, question: Mounted) -> Result<MountStudy, Problem> {
         )));
     }
     let engine = engine(&question.text)?;
-    let traces = asker.studio.folder.traces(&engine)?;
+    let traces = asker.studio.traces(&engine)?;
     asker.studio.mounted.answer((engine, traces, steps), |(engine, traces, steps)| {
         // The points are the mounts themselves: how far each of them moves is drawn.
         let points: Vec<[f64; 3]> = engine.mounts.iter().map(|mount| [mount.x, mount.y, mount.z]).collect();
@@ -264,8 +264,8 @@ fn compared(asker: &Asker, question: CompareQuestion) -> Result<Comparison, Prob
         )));
     }
     let entry = |named: &NamedEngine| {
-        let mut file = asker.studio.folder.with_torques(engine_file(&named.text)?)?;
-        let traces = asker.studio.folder.traces(&file.engine)?;
+        let mut file = asker.studio.with_torques(engine_file(&named.text)?)?;
+        let traces = asker.studio.traces(&file.engine)?;
         file.engine = file
             .engine
             .with(|parts| parts.name.clone_from(&named.name))
