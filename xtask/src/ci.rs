@@ -48,7 +48,7 @@ pub fn run(mut steps: Steps) -> Result<()> {
             // Behind the README's commands, whose optimised crates it shares.
             .step("Python package: wheel, types, tests, doctests, notebooks", || python::run(&[])),
     ])?;
-    // It waits for frames, and has the processors for itself.
+    // They wait for frames, and have the processors for themselves.
     steps.run("studio in a browser", || page::try_in_browser(&program))?;
     steps.finish()
 }

@@ -41,6 +41,8 @@ tasks of the workspace
   cargo xtask generate                          write the generated pages of the book anew; --release with the program of CI
   cargo xtask documents [--release]             run what the README's and the book's pages show and quote
   cargo xtask page                              build the studio's page into the repository
+  cargo xtask web [--try]                       build the studio that needs no server into target/web: a folder for any file server, and in it
+                                                lanchester.html, one file that opens from a disk; --try walks through it in a browser
   cargo xtask python [--dev] [--write]          the Python package: wheel, types, tests, doctests, notebooks, in an environment below the target
                                                 folder; --dev without optimisation, --write writes its generated types
   cargo xtask wheel                             build the wheel of the Python package into target/wheels
@@ -91,6 +93,14 @@ fn task(arguments: &[String]) -> Result<()> {
             Ok(())
         }
         Some("page") if rest.is_empty() => page::build(),
+        Some("web") if rest == ["--try"] => {
+            println!("{}", page::web::try_in_browser(&workspace::program(Profile::Release)?)?);
+            Ok(())
+        }
+        Some("web") if rest.is_empty() => {
+            println!("{}", page::web::build()?.display());
+            Ok(())
+        }
         Some("python") => {
             println!("{}", python::run(rest)?);
             Ok(())

@@ -1,5 +1,7 @@
 //! The studio's page: checked, built, compared with what stands in the repository, tried in a browser.
 
+pub mod web;
+
 use crate::browser::chromium;
 use crate::command::{exists, in_view, quiet};
 use crate::workspace::{root, scratch};
@@ -47,6 +49,12 @@ pub fn build() -> Result<()> {
     quiet(&mut npm(&["run", "build"])).map(|_| ())
 }
 
+/// Builds the page that answers by itself, with this module, into a folder.
+pub fn build_in_browser(mode: &str, module: &Path, folder: &Path) -> Result<()> {
+    let mut command = npm(&["run", "build", "--", "--mode", mode, "--emptyOutDir", "--outDir"]);
+    quiet(command.arg(folder).env("LANCHESTER_MODULE", module)).map(|_| ())
+}
+
 /// Fails where the built page is not what its source gives now, or too heavy.
 pub fn check_built() -> Result<String> {
     let fresh = scratch("page")?;
@@ -84,6 +92,13 @@ fn files(folder: &Path) -> Result<BTreeMap<PathBuf, Vec<u8>>> {
 /// The stories of the page in a browser.
 pub fn try_in_browser(program: &Path) -> Result<String> {
     in_browser("browser", program).map(|()| String::new())
+}
+
+/// The stories of the page that answers by itself, beside the program: of the folder on a file server, or of one file from the disk.
+pub fn try_built(place: &Path, program: &Path) -> Result<()> {
+    let mut command = npm(&["run", "web"]);
+    command.env("LANCHESTER_WEB", place).env("LANCHESTER_PROGRAM", program);
+    in_view(command.env("CHROMIUM", full_path(&chromium()?)?))
 }
 
 /// Draws the pictures of the studio's guide anew.

@@ -6,6 +6,8 @@ const chromium = process.env.CHROMIUM ?? "/usr/bin/chromium";
 // Every test starts a server of its own (tests/server.ts), in a folder of its own.
 export default defineConfig({
   testDir: "tests",
+  // Of the studio without a server: `web.config.ts`.
+  testIgnore: /web\.spec/,
   outputDir: "test-results",
   reporter: "line",
   workers: 2,

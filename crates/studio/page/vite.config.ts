@@ -1,11 +1,13 @@
 import { svelte } from "@sveltejs/vite-plugin-svelte";
 import { defineConfig } from "vitest/config";
+import { inBrowser } from "./web";
 
 // The server that `npm run dev` talks to: `lanchester studio --port 7777 --token dev`.
 const server = process.env.LANCHESTER_SERVER ?? "http://127.0.0.1:7777";
 
-export default defineConfig({
-  plugins: [svelte()],
+// Mode "web": a folder for any file server; "web-file": one file. Both answer by themselves, with the module that LANCHESTER_MODULE names.
+export default defineConfig(({ mode }) => ({
+  plugins: [svelte(), inBrowser(mode)],
   base: "./",
   build: {
     outDir: "../dist",
@@ -19,6 +21,7 @@ export default defineConfig({
         entryFileNames: "assets/[name].js",
         chunkFileNames: "assets/[name].js",
         assetFileNames: "assets/[name][extname]",
+        ...(mode === "web-file" ? { codeSplitting: false } : {}),
       },
     },
   },
@@ -28,4 +31,4 @@ export default defineConfig({
   },
   test: { environment: "happy-dom", include: ["src/**/*.test.ts"] },
   resolve: process.env.VITEST ? { conditions: ["browser"] } : {},
-});
+}));

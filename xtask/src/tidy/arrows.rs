@@ -4,7 +4,7 @@ use serde_json::Value;
 
 /// Each crate and the workspace crates that it may name as normal dependencies. A crate that is not here may not
 /// exist: a new room needs a decision record and a line.
-const ARROWS: [(&str, &[&str]); 35] = [
+const ARROWS: [(&str, &[&str]); 36] = [
     ("lanchester-numerics", &[]),
     ("lanchester-shape", &["lanchester-numerics"]),
     ("lanchester-units", &[]),
@@ -150,6 +150,7 @@ const ARROWS: [(&str, &[&str]); 35] = [
         &["lanchester", "lanchester-files", "lanchester-sheet", "lanchester-studio", "lanchester-validation"],
     ),
     ("lanchester-python", &["lanchester", "lanchester-files"]),
+    ("lanchester-web", &["lanchester-answers"]),
     (TESTKIT, &["lanchester-file", "lanchester-model"]),
     ("xtask", &[]),
 ];

@@ -7,8 +7,8 @@ use anyhow::Result;
 const MAX_LINES: usize = 700;
 
 /// The front ends and what they share; every other crate knows no file, network, clock or printing.
-const FRONT_ENDS: [&str; 5] =
-    ["crates/cli/", "crates/files/", "crates/fmu/", "crates/python/", "crates/studio/"];
+const FRONT_ENDS: [&str; 6] =
+    ["crates/cli/", "crates/files/", "crates/fmu/", "crates/python/", "crates/studio/", "crates/web/"];
 /// Where a file name would reach a terminal as it is: `shown` writes out what acts on it.
 const SHOWN: &str = "crates/cli/src/";
 const RAW_NAME: &str = ".display()";

@@ -17,7 +17,16 @@ use serde::Serialize;
 use std::sync::Arc;
 
 /// Degree of parallelism that is asked for: bits depend on it, not on the number of threads.
-const PARALLEL: usize = 2;
+#[cfg(not(target_arch = "wasm32"))]
+fn parallel() -> Par {
+    Par::rayon(2)
+}
+
+/// Within a browser there is one thread.
+#[cfg(target_arch = "wasm32")]
+fn parallel() -> Par {
+    Par::Seq
+}
 
 /// How many digits a factor carries.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
@@ -199,7 +208,7 @@ impl<T: Real> Factor<T> {
         let (starts, rows) = (&matrix.pattern.starts, &matrix.pattern.rows);
         let pattern = SymbolicSparseColMatRef::new_checked(size, size, starts, None, rows);
         let symbolic = &plan.symbolic;
-        let par = Par::rayon(PARALLEL);
+        let par = parallel();
         let mut memory = MemBuffer::new(symbolic.factorize_numeric_llt_scratch::<T>(par, Default::default()));
         let mut values = vec![T::from_double(0.0); symbolic.len_val()];
         // On a thread of the pool: from outside, each of its many products would be handed over and waited for.
@@ -226,7 +235,7 @@ impl<T: Real> Factor<T> {
     pub fn solve(&self, sides: &mut [T]) {
         let size = self.symbolic.nrows();
         let columns = sides.len() / size.max(1);
-        let par = if columns > 1 { Par::rayon(PARALLEL) } else { Par::Seq };
+        let par = if columns > 1 { parallel() } else { Par::Seq };
         let mut memory = MemBuffer::new(self.symbolic.solve_in_place_scratch::<T>(columns, par));
         let right = MatMut::from_column_major_slice_mut(sides, size, columns);
         let factor = LltRef::new(&self.symbolic, &self.values);

@@ -212,7 +212,7 @@ test("two windows on one file do not overwrite each other", async ({ studio, pag
   await expect(field(other, "rod.length")).toHaveValue("155 mm");
 });
 
-test("the server goes and comes back, and nothing is lost", async ({ studio, page }) => {
+test("the server goes and comes back, and nothing is lost", { tag: "@server" }, async ({ studio, page }) => {
   const notice = page.getByText("The studio's server does not answer.");
   const before = await figure(page, "Peak couple").textContent();
   await type(page, "rod.length", "155 mm");
@@ -234,38 +234,42 @@ test("the server goes and comes back, and nothing is lost", async ({ studio, pag
   expect(await studio.read()).toContain('mass = "1.2 kg"');
 });
 
-test("a server started anew has another token: its address opened once is enough", async ({
-  studio,
-  page,
-  context,
-}) => {
-  await type(page, "rod.length", "155 mm");
-  await studio.kill();
-  const notice = page.getByText("The studio's server does not answer.");
-  await expect(notice).toBeVisible();
-  await expect(page.getByText(`lanchester studio in-line-3.toml --port ${studio.port}`)).toBeVisible();
-  await studio.run("another-token");
-  await page.waitForTimeout(1500);
-  await expect(notice).toBeVisible();
-  const other = await context.newPage();
-  await other.goto(studio.address);
-  await expect(notice).toBeHidden();
-  await type(page, "piston.mass", "1.2 kg");
-  await page.keyboard.press("Control+s");
-  await expect(page.getByText("Saved in-line-3.toml")).toBeVisible();
-  expect(await studio.read()).toContain('length = "155 mm"');
-});
+test(
+  "a server started anew has another token: its address opened once is enough",
+  { tag: "@server" },
+  async ({ studio, page, context }) => {
+    await type(page, "rod.length", "155 mm");
+    await studio.kill();
+    const notice = page.getByText("The studio's server does not answer.");
+    await expect(notice).toBeVisible();
+    await expect(page.getByText(`lanchester studio in-line-3.toml --port ${studio.port}`)).toBeVisible();
+    await studio.run("another-token");
+    await page.waitForTimeout(1500);
+    await expect(notice).toBeVisible();
+    const other = await context.newPage();
+    await other.goto(studio.address);
+    await expect(notice).toBeHidden();
+    await type(page, "piston.mass", "1.2 kg");
+    await page.keyboard.press("Control+s");
+    await expect(page.getByText("Saved in-line-3.toml")).toBeVisible();
+    expect(await studio.read()).toContain('length = "155 mm"');
+  },
+);
 
-test("a server that goes while it answers loses nothing either", async ({ studio, page }) => {
-  const before = await figure(page, "Peak couple").textContent();
-  await type(page, "rod.length", "155 mm");
-  await studio.kill();
-  await expect(page.getByText("The studio's server does not answer.")).toBeVisible();
-  await studio.run();
-  await expect(page.getByText("The studio's server does not answer.")).toBeHidden();
-  await expect.poll(() => text(page)).toContain('length = "155 mm"');
-  await expect(figure(page, "Peak couple")).not.toHaveText(before ?? "");
-});
+test(
+  "a server that goes while it answers loses nothing either",
+  { tag: "@server" },
+  async ({ studio, page }) => {
+    const before = await figure(page, "Peak couple").textContent();
+    await type(page, "rod.length", "155 mm");
+    await studio.kill();
+    await expect(page.getByText("The studio's server does not answer.")).toBeVisible();
+    await studio.run();
+    await expect(page.getByText("The studio's server does not answer.")).toBeHidden();
+    await expect.poll(() => text(page)).toContain('length = "155 mm"');
+    await expect(figure(page, "Peak couple")).not.toHaveText(before ?? "");
+  },
+);
 
 test("a link restores everything in another window", async ({ page, context }) => {
   await type(page, "rod.length", "155 mm");

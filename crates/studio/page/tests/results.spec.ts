@@ -85,7 +85,7 @@ test("every section draws", async ({ page, studio }) => {
   expect(mistakes).toEqual([]);
 });
 
-test("loads are split by part and by cylinder", async ({ page, studio }) => {
+test("loads are split by part and by cylinder", { tag: "@server" }, async ({ page, studio }) => {
   await open(page, studio);
   const { parts, cylinders } = await loads(page, studio);
   await page.getByText("By kind of part").click();
@@ -160,32 +160,38 @@ test("two fingers zoom", async ({ page, studio }) => {
   await expect.poll(() => labels(figure)).not.toEqual(whole);
 });
 
-test("the readout tells what the program answers, at the pointer and by keys", async ({ page, studio }) => {
-  await open(page, studio);
-  const { total } = await loads(page, studio);
-  const figure = plot(page, "Force on the block");
-  const surface = figure.getByRole("slider");
-  await surface.focus();
-  await ground(figure);
-  const edge = await figure.boundingBox();
-  await page.keyboard.press("Home");
-  for (let k = 0; k < 3; k++) await page.keyboard.press("Shift+ArrowRight");
-  await page.keyboard.press("ArrowRight");
-  const index = 31;
-  const degrees = ((total.trace.theta[index] ?? 0) * 180) / Math.PI;
-  await expect(figure.locator(".reading b")).toHaveText(`${degrees.toFixed(1)}°`);
-  const value = Math.round(total.trace.force_x[index] ?? 0);
-  await expect(surface).toHaveAttribute("aria-valuetext", new RegExp(`vertical \\(x\\) ${value} N`));
-  // Reading out moves nothing; Enter takes the crank there.
-  expect(await figure.boundingBox()).toEqual(edge);
-  await page.keyboard.press("Enter");
-  await expect(plot(page, "Couple on the block").locator(".reading b")).toHaveText(`${degrees.toFixed(1)}°`);
+test(
+  "the readout tells what the program answers, at the pointer and by keys",
+  { tag: "@server" },
+  async ({ page, studio }) => {
+    await open(page, studio);
+    const { total } = await loads(page, studio);
+    const figure = plot(page, "Force on the block");
+    const surface = figure.getByRole("slider");
+    await surface.focus();
+    await ground(figure);
+    const edge = await figure.boundingBox();
+    await page.keyboard.press("Home");
+    for (let k = 0; k < 3; k++) await page.keyboard.press("Shift+ArrowRight");
+    await page.keyboard.press("ArrowRight");
+    const index = 31;
+    const degrees = ((total.trace.theta[index] ?? 0) * 180) / Math.PI;
+    await expect(figure.locator(".reading b")).toHaveText(`${degrees.toFixed(1)}°`);
+    const value = Math.round(total.trace.force_x[index] ?? 0);
+    await expect(surface).toHaveAttribute("aria-valuetext", new RegExp(`vertical \\(x\\) ${value} N`));
+    // Reading out moves nothing; Enter takes the crank there.
+    expect(await figure.boundingBox()).toEqual(edge);
+    await page.keyboard.press("Enter");
+    await expect(plot(page, "Couple on the block").locator(".reading b")).toHaveText(
+      `${degrees.toFixed(1)}°`,
+    );
 
-  const box = await ground(figure);
-  await page.mouse.move(box.x + box.width / 4, box.y + 20);
-  await expect(figure.locator(".reading b")).toHaveText("90.0°");
-  expect(await figure.boundingBox()).toEqual(edge);
-});
+    const box = await ground(figure);
+    await page.mouse.move(box.x + box.width / 4, box.y + 20);
+    await expect(figure.locator(".reading b")).toHaveText("90.0°");
+    expect(await figure.boundingBox()).toEqual(edge);
+  },
+);
 
 test("the crank angle is dragged in one plot and moves in all", async ({ page, studio }) => {
   await open(page, studio);
@@ -213,91 +219,93 @@ test("names in the legend hide and show series", async ({ page, studio }) => {
   await expect(lines).toHaveCount(2);
 });
 
-test("what is seen is saved: a drawing of its own, a picture, and a table of the answer's values", async ({
-  page,
-  studio,
-}) => {
-  await open(page, studio);
-  const { total } = await loads(page, studio);
-  const figure = plot(page, "Force on the block");
+test(
+  "what is seen is saved: a drawing of its own, a picture, and a table of the answer's values",
+  { tag: "@server" },
+  async ({ page, studio }) => {
+    await open(page, studio);
+    const { total } = await loads(page, studio);
+    const figure = plot(page, "Force on the block");
 
-  const svg = await text(await saved(page, figure, "SVG"));
-  const found = await page.evaluate((source) => {
-    const drawing = new DOMParser().parseFromString(source, "image/svg+xml");
-    const strokes = [...drawing.querySelectorAll("path")].map((path) => path.getAttribute("stroke"));
-    return {
-      broken: drawing.querySelector("parsererror")?.textContent,
-      name: drawing.documentElement.nodeName,
-      width: Number(drawing.documentElement.getAttribute("width")),
-      height: Number(drawing.documentElement.getAttribute("height")),
-      title: drawing.querySelector("title")?.textContent,
-      coloured: strokes.filter((stroke) => stroke?.startsWith("rgb")).length,
-      words: [...drawing.querySelectorAll("text")].map((one) => one.textContent),
-    };
-  }, svg);
-  expect(found.broken).toBeUndefined();
-  expect(found.name).toBe("svg");
-  expect(found.title).toBe("Force on the block");
-  expect(found.words).toContain("vertical (x)");
-  expect(found.words).toContain("Crank angle [°]");
-  expect(found.coloured).toBeGreaterThan(2);
-  expect(svg).not.toMatch(/var\(|class=|data-screen/);
+    const svg = await text(await saved(page, figure, "SVG"));
+    const found = await page.evaluate((source) => {
+      const drawing = new DOMParser().parseFromString(source, "image/svg+xml");
+      const strokes = [...drawing.querySelectorAll("path")].map((path) => path.getAttribute("stroke"));
+      return {
+        broken: drawing.querySelector("parsererror")?.textContent,
+        name: drawing.documentElement.nodeName,
+        width: Number(drawing.documentElement.getAttribute("width")),
+        height: Number(drawing.documentElement.getAttribute("height")),
+        title: drawing.querySelector("title")?.textContent,
+        coloured: strokes.filter((stroke) => stroke?.startsWith("rgb")).length,
+        words: [...drawing.querySelectorAll("text")].map((one) => one.textContent),
+      };
+    }, svg);
+    expect(found.broken).toBeUndefined();
+    expect(found.name).toBe("svg");
+    expect(found.title).toBe("Force on the block");
+    expect(found.words).toContain("vertical (x)");
+    expect(found.words).toContain("Crank angle [°]");
+    expect(found.coloured).toBeGreaterThan(2);
+    expect(svg).not.toMatch(/var\(|class=|data-screen/);
 
-  const png = await readFile(await (await saved(page, figure, "PNG")).path());
-  expect(png.subarray(1, 4).toString()).toBe("PNG");
-  expect(png.readUInt32BE(16)).toBe(Math.round(2 * Math.round(found.width)));
-  expect(png.readUInt32BE(20)).toBeGreaterThan(400);
-  expect(png.length).toBeGreaterThan(5000);
+    const png = await readFile(await (await saved(page, figure, "PNG")).path());
+    expect(png.subarray(1, 4).toString()).toBe("PNG");
+    expect(png.readUInt32BE(16)).toBe(Math.round(2 * Math.round(found.width)));
+    expect(png.readUInt32BE(20)).toBeGreaterThan(400);
+    expect(png.length).toBeGreaterThan(5000);
 
-  const { head, rows } = await table(page, figure);
-  expect(head).toEqual(["Crank angle [°]", "vertical (x) [N]", "lateral (y) [N]"]);
-  expect(rows.length).toBe(total.trace.theta.length);
-  for (const [index, [theta, x, y]] of rows.entries()) {
-    expect(((theta ?? NaN) * Math.PI) / 180).toBeCloseTo(total.trace.theta[index] ?? NaN, 12);
-    expect(x).toBe(total.trace.force_x[index]);
-    expect(y).toBe(total.trace.force_y[index]);
-  }
-});
-
-test("the block moves as the program answers, and its mounts go round in orbits", async ({
-  page,
-  studio,
-}) => {
-  const waiting = page.waitForResponse((response) => response.url().endsWith("/api/mounts"));
-  await open(page, studio, "Mounts");
-  const study = (await (await waiting).json()) as MountStudy;
-  const last = study.response.speeds.length - 1;
-  const orders = study.response.speeds[last]?.orders ?? [];
-  // At crank angle zero an order is where its real part says [µm].
-  const start = (parts: (readonly [number, number] | undefined)[]) =>
-    1e6 * parts.reduce((sum, part) => sum + (part?.[0] ?? 0), 0);
-
-  const centre = await table(page, plot(page, "Displacement of the block over the crank angle"));
-  expect(centre.head).toEqual([
-    "Crank angle [°]",
-    "vertical (x) [µm]",
-    "lateral (y) [µm]",
-    "along the crank (z) [µm]",
-  ]);
-  for (const along of [0, 1, 2])
-    expect(centre.rows[0]?.[1 + along]).toBeCloseTo(start(orders.map(({ motion }) => motion[along])), 6);
-
-  for (const [mount, name] of study.response.mounts.entries()) {
-    const figure = plot(page, `Orbit of “${name}”`);
     const { head, rows } = await table(page, figure);
-    expect(head.slice(0, 3)).toEqual([
-      "all orders: Crank angle [°]",
-      "all orders: lateral (y) [µm]",
-      "all orders: vertical (x) [µm]",
+    expect(head).toEqual(["Crank angle [°]", "vertical (x) [N]", "lateral (y) [N]"]);
+    expect(rows.length).toBe(total.trace.theta.length);
+    for (const [index, [theta, x, y]] of rows.entries()) {
+      expect(((theta ?? NaN) * Math.PI) / 180).toBeCloseTo(total.trace.theta[index] ?? NaN, 12);
+      expect(x).toBe(total.trace.force_x[index]);
+      expect(y).toBe(total.trace.force_y[index]);
+    }
+  },
+);
+
+test(
+  "the block moves as the program answers, and its mounts go round in orbits",
+  { tag: "@server" },
+  async ({ page, studio }) => {
+    const waiting = page.waitForResponse((response) => response.url().endsWith("/api/mounts"));
+    await open(page, studio, "Mounts");
+    const study = (await (await waiting).json()) as MountStudy;
+    const last = study.response.speeds.length - 1;
+    const orders = study.response.speeds[last]?.orders ?? [];
+    // At crank angle zero an order is where its real part says [µm].
+    const start = (parts: (readonly [number, number] | undefined)[]) =>
+      1e6 * parts.reduce((sum, part) => sum + (part?.[0] ?? 0), 0);
+
+    const centre = await table(page, plot(page, "Displacement of the block over the crank angle"));
+    expect(centre.head).toEqual([
+      "Crank angle [°]",
+      "vertical (x) [µm]",
+      "lateral (y) [µm]",
+      "along the crank (z) [µm]",
     ]);
-    const moved = study.points[mount]?.displacement[last] ?? [];
-    expect(rows[0]?.[1]).toBeCloseTo(start(moved.map((part) => part[1])), 6);
-    expect(rows[0]?.[2]).toBeCloseTo(start(moved.map((part) => part[0])), 6);
-  }
-  await page.getByText("From the side", { exact: true }).click();
-  const first = plot(page, `Orbit of “${study.response.mounts[0]}”`);
-  expect((await table(page, first)).head[1]).toBe("all orders: along the crank (z) [µm]");
-});
+    for (const along of [0, 1, 2])
+      expect(centre.rows[0]?.[1 + along]).toBeCloseTo(start(orders.map(({ motion }) => motion[along])), 6);
+
+    for (const [mount, name] of study.response.mounts.entries()) {
+      const figure = plot(page, `Orbit of “${name}”`);
+      const { head, rows } = await table(page, figure);
+      expect(head.slice(0, 3)).toEqual([
+        "all orders: Crank angle [°]",
+        "all orders: lateral (y) [µm]",
+        "all orders: vertical (x) [µm]",
+      ]);
+      const moved = study.points[mount]?.displacement[last] ?? [];
+      expect(rows[0]?.[1]).toBeCloseTo(start(moved.map((part) => part[1])), 6);
+      expect(rows[0]?.[2]).toBeCloseTo(start(moved.map((part) => part[0])), 6);
+    }
+    await page.getByText("From the side", { exact: true }).click();
+    const first = plot(page, `Orbit of “${study.response.mounts[0]}”`);
+    expect((await table(page, first)).head[1]).toBe("all orders: along the crank (z) [µm]");
+  },
+);
 
 test("keys go to other curves of a plane, and what is zoomed follows the readout", async ({
   page,
@@ -323,7 +331,7 @@ test("keys go to other curves of a plane, and what is zoomed follows the readout
   expect(Number((await labels(figure))[0])).toBeLessThan(Number(zoomed[0]));
 });
 
-test("the speed slider changes curves", async ({ page, studio }) => {
+test("the speed slider changes curves", { tag: "@server" }, async ({ page, studio }) => {
   await open(page, studio);
   const figure = plot(page, "Force on the block");
   // The first series lies on top.
@@ -364,7 +372,7 @@ test.describe("without gas and mounts", () => {
 test.describe("latency", () => {
   test.use({ example: "in-line-4.toml" });
 
-  test("from the slider to redrawn plots is measured", async ({ page, studio }, info) => {
+  test("from the slider to redrawn plots is measured", { tag: "@server" }, async ({ page, studio }, info) => {
     await open(page, studio);
     const times = await page.evaluate(async () => {
       const slider = document.querySelector<HTMLInputElement>("input#speed");

@@ -8,8 +8,12 @@
 //
 // LANCHESTER_PROGRAM names the program; default: the debug build of this workspace. LANCHESTER_PAGE names a folder with a
 // built page that is shown in place of the program's own: the page can be tested without building the program anew.
+//
+// LANCHESTER_WEB names what `cargo xtask web` builds, the folder or its page in one file: the same tests then walk through the studio without
+// a server, but for those with the tag @server.
 
 import { type BrowserContext, test as base } from "@playwright/test";
+import { InBrowser } from "./browser";
 import { type ChildProcess, spawn } from "node:child_process";
 import { copyFile, mkdtemp, readFile, rm, writeFile } from "node:fs/promises";
 import { createServer } from "node:net";
@@ -18,11 +22,30 @@ import { join, resolve } from "node:path";
 
 const PROGRAM = process.env.LANCHESTER_PROGRAM ?? resolve("../../../target/debug/lanchester");
 const PAGE = process.env.LANCHESTER_PAGE;
+const WEB = process.env.LANCHESTER_WEB;
 const EXAMPLES = resolve("../../../examples");
 /** How long the program may take until it prints its address [ms]. */
 const START = 20_000;
 
-export class Studio {
+/** What a test may do with a studio, whoever answers. */
+export interface Studio {
+  /** The page. */
+  readonly address: string;
+  /** Folder for files that a test writes. */
+  readonly folder: string;
+  /** Name of the engine file that is open at the start; empty: none. */
+  readonly name: string;
+  readonly port: number;
+  readonly token: string;
+  read(name?: string): Promise<string>;
+  remove(name?: string): Promise<void>;
+  write(text: string, name?: string): Promise<void>;
+  kill(): Promise<void>;
+  run(token?: string): Promise<void>;
+  end(): Promise<void>;
+}
+
+export class Server implements Studio {
   /** What the program printed: the page with its token. */
   address = "";
   #process: ChildProcess | undefined;
@@ -38,11 +61,11 @@ export class Studio {
   ) {}
 
   /** A copy of `example` from the folder of examples in a new folder, and a server for it. */
-  static async start(example: string): Promise<Studio> {
+  static async start(example: string): Promise<Server> {
     const folder = await mkdtemp(join(tmpdir(), "lanchester-studio-"));
     if (example !== "") await copyFile(join(EXAMPLES, example), join(folder, example));
     const token = `test-${crypto.randomUUID()}`;
-    const studio = new Studio(folder, example, await freePort(), token);
+    const studio = new Server(folder, example, await freePort(), token);
     await studio.run();
     return studio;
   }
@@ -153,8 +176,11 @@ export const test = base.extend<Options & { studio: Studio }>({
     if (PAGE) await showPage(context, resolve(PAGE));
     await use(context);
   },
-  studio: async ({ example }, use) => {
-    const studio = await Studio.start(example);
+  studio: async ({ example, context }, use) => {
+    const text = example === "" ? "" : await readFile(join(EXAMPLES, example), "utf8");
+    const studio = WEB
+      ? await InBrowser.start(context, resolve(WEB), example, text)
+      : await Server.start(example);
     await use(studio);
     await studio.end();
   },

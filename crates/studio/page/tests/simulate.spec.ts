@@ -1,7 +1,5 @@
 // The Simulate tab: paths of points and torques of gears beside the run.
 
-import { readFile, writeFile } from "node:fs/promises";
-import { join } from "node:path";
 import { opened } from "./page";
 import { expect, test } from "./server";
 
@@ -9,9 +7,8 @@ test.use({ example: "three-cylinder.toml" });
 
 test("the path of a point, and the teeth of the balancer", async ({ studio, page }) => {
   // Teeth need a pressure angle: the file says it.
-  const file = join(studio.folder, studio.name);
   const mesh = `\n[[simulation.mesh]]\nshaft = "balancer"\npressure_angle = "20 deg"\nz = "-160 mm"\n`;
-  await writeFile(file, (await readFile(file, "utf8")) + mesh);
+  await studio.write((await studio.read()) + mesh);
   await page.goto(studio.address);
   await opened(page);
   await page.getByRole("tab", { name: "Simulate" }).click();

@@ -20,31 +20,32 @@ function asking(studio: Studio, request: APIRequestContext): Ask {
   };
 }
 
-test("every engine of the gallery gets outlines, or is told the nearest limit", async ({
-  studio,
-  request,
-}) => {
-  test.setTimeout(180_000);
-  const ask = asking(studio, request);
-  const session = await request.get(new URL("/api/session", studio.address).href, {
-    headers: { "X-Lanchester-Token": studio.token },
-  });
-  const { templates } = (await session.json()) as Session;
-  expect(templates.length).toBeGreaterThan(40);
-  const eases: string[] = [];
-  for (const { name, text } of templates) {
-    const start = await started(ask, text);
-    expect(start.stuck, name).toBeUndefined();
-    const { designs } = await ask<Designed>("/api/counterweight/design", { text: start.text, weights: [] });
-    expect(designs.weights.length, name).toBeGreaterThan(0);
-    const open = designs.weights.filter((weight) => !("found" in weight.outcome));
-    if (open.length === 0) continue;
-    eases.push(name);
-    await expectEased(ask, name, start.text, open);
-  }
-  console.log(`of ${templates.length} engines a limit has to give way in: ${eases.join(", ")}`);
-  expect(eases.length).toBeLessThan(templates.length / 4);
-});
+test(
+  "every engine of the gallery gets outlines, or is told the nearest limit",
+  { tag: "@server" },
+  async ({ studio, request }) => {
+    test.setTimeout(180_000);
+    const ask = asking(studio, request);
+    const session = await request.get(new URL("/api/session", studio.address).href, {
+      headers: { "X-Lanchester-Token": studio.token },
+    });
+    const { templates } = (await session.json()) as Session;
+    expect(templates.length).toBeGreaterThan(40);
+    const eases: string[] = [];
+    for (const { name, text } of templates) {
+      const start = await started(ask, text);
+      expect(start.stuck, name).toBeUndefined();
+      const { designs } = await ask<Designed>("/api/counterweight/design", { text: start.text, weights: [] });
+      expect(designs.weights.length, name).toBeGreaterThan(0);
+      const open = designs.weights.filter((weight) => !("found" in weight.outcome));
+      if (open.length === 0) continue;
+      eases.push(name);
+      await expectEased(ask, name, start.text, open);
+    }
+    console.log(`of ${templates.length} engines a limit has to give way in: ${eases.join(", ")}`);
+    expect(eases.length).toBeLessThan(templates.length / 4);
+  },
+);
 
 /** One of the limits that are told, filled in, makes a shape possible. */
 async function expectEased(ask: Ask, name: string, text: string, open: Designed["designs"]["weights"]) {

@@ -1,8 +1,13 @@
-// The only place that talks to the server.
+// The only place that asks: of a server, or of this browser where the page was built so.
 
+// A page that answers by itself has `worker/browser` in place of the server: see `web.ts`.
+import { transport } from "./server";
+import type { Events } from "./transport";
 import type { Problem } from "./types";
 
-/** What the server refused, in its own words. */
+export { transport };
+
+/** What was refused, in the words of whoever answers. */
 export class Refused extends Error {
   constructor(
     readonly status: number,
@@ -12,61 +17,29 @@ export class Refused extends Error {
   }
 }
 
-/** The server does not answer. */
+/** Nobody answers. */
 export class Gone extends Error {
   constructor() {
     super("the studio's server does not answer");
   }
 }
 
-let token = takeToken();
-/** Tells the server which requests replace each other. */
-const client = crypto.randomUUID();
-
-/** The token comes in the address once and is kept for this origin: links to states work in other windows. */
-function takeToken(): string {
-  const address = new URL(location.href);
-  const given = address.searchParams.get("token");
-  if (given) {
-    localStorage.setItem("lanchester-token", given);
-    address.searchParams.delete("token");
-    history.replaceState(null, "", address);
-  }
-  return given ?? localStorage.getItem("lanchester-token") ?? "";
-}
-
-/** A server that was started again has a new token; the window that it opened has left it for this one. */
-function renewed(): boolean {
-  const kept = localStorage.getItem("lanchester-token");
-  if (!kept || kept === token) return false;
-  token = kept;
-  return true;
-}
-
 async function send(
-  method: string,
+  method: "GET" | "POST" | "PUT",
   path: string,
   body: unknown,
   lane: string | undefined,
   signal: AbortSignal | undefined,
 ): Promise<Response> {
-  const headers: Record<string, string> = { "X-Lanchester-Token": token, "X-Lanchester-Client": client };
-  if (body !== undefined) headers["Content-Type"] = "application/json";
-  if (lane) headers["X-Lanchester-Lane"] = lane;
   let response: Response;
   try {
-    response = await fetch(path, {
-      method,
-      headers,
-      body: body === undefined ? null : JSON.stringify(body),
-      signal: signal ?? null,
-    });
+    const json = body === undefined ? null : JSON.stringify(body);
+    response = await transport.ask({ method, path, body: json, lane, signal });
   } catch (error) {
     if (signal?.aborted) throw error;
     throw new Gone();
   }
   if (response.ok) return response;
-  if (response.status === 401 && renewed()) return send(method, path, body, lane, signal);
   let problem: Problem;
   try {
     problem = (await response.json()) as Problem;
@@ -102,13 +75,13 @@ export async function put<T>(path: string, body: unknown): Promise<T> {
   return whole(() => response.json() as Promise<T>);
 }
 
-/** A file that the server makes: a report, a part. */
+/** A file that is made on request: a report, a part. */
 export async function postForFile(path: string, body: unknown): Promise<Blob> {
   const response = await send("POST", path, body, undefined, undefined);
   return whole(() => response.blob());
 }
 
-/** Events of the server; `EventSource` cannot send headers, so that the token stands in the address. */
-export function events(): EventSource {
-  return new EventSource(`/api/events?token=${encodeURIComponent(token)}`);
+/** What comes by itself. */
+export function events(): Events {
+  return transport.events();
 }

@@ -107,7 +107,10 @@ export async function restore(): Promise<boolean> {
 }
 
 export async function link(): Promise<string> {
-  return location.origin + location.pathname + MARK + (await packed(current()));
+  const address = new URL(location.href);
+  address.search = "";
+  address.hash = MARK + (await packed(current()));
+  return address.href;
 }
 
 async function through(

@@ -1,6 +1,6 @@
 // What is done with whole files: new, open, save, report, share; with the dialogs that it needs.
 
-import { Gone, Refused, post, postForFile } from "../../api/client";
+import { Gone, Refused, post, postForFile, transport } from "../../api/client";
 import type { FileState, TemplateInfo } from "../../api/types";
 import { engine } from "../../state/engine.svelte";
 import { adopt, checked, current, link } from "../../state/link";
@@ -61,8 +61,20 @@ class Files {
     });
   }
 
-  /** An engine file or a state from anywhere on the computer. */
-  async openFromComputer(file: File) {
+  /** An engine file or a state from anywhere on the computer, with the files that it names where no folder has them. */
+  async openFromComputer(chosen: File[]) {
+    const own = (file: File) => /\.(toml|json)$/.test(file.name);
+    const beside = transport.keeps === "browser" ? chosen.filter((file) => !own(file)) : [];
+    for (const file of beside) transport.keep(file.name, await file.text());
+    const file = chosen.find((file) => !beside.includes(file));
+    if (file) await this.#openOne(file);
+    else {
+      this.dialog = null;
+      this.say(`Kept for engines that name it: ${beside.map((file) => file.name).join(", ")}`);
+    }
+  }
+
+  async #openOne(file: File) {
     const text = await file.text();
     const state = checked(text);
     if (state) await adopt(state);
@@ -149,10 +161,21 @@ class Files {
     await typed();
     try {
       await navigator.clipboard.writeText(await link());
-      this.say("Link copied: it holds this very state, and stays on this computer's studio");
+      this.say(
+        transport.keeps === "folder"
+          ? "Link copied: it holds this very state, and stays on this computer's studio"
+          : "Link copied: it holds this very state, for wherever this page opens",
+      );
     } catch {
       this.say("The browser lets nothing be copied: download the state as a file instead", false);
     }
+  }
+
+  async saveFile() {
+    await typed();
+    const name = engine.file?.name ?? `${engine.untitled}.toml`;
+    download(new Blob([engine.text], { type: "application/toml" }), name);
+    this.say("The engine file is in your downloads");
   }
 
   async saveState() {
