@@ -16,6 +16,7 @@ mod consequences;
 mod convex;
 mod cost;
 mod criterion;
+mod durable;
 mod error;
 mod fitted;
 mod infeasible;
@@ -40,6 +41,10 @@ pub use cancellation::*;
 pub use consequences::{
     Affected, AffectedPart, BendingAlong, CONSEQUENCES_VERSION, Change, Consequence, Consequences,
     consequences,
+};
+pub use durable::{
+    DURABLE_VERSION, Durable, DurableEnd, DurableLimit, DurableRequest, DurableRow, DurableSettings,
+    DurableStage, durable,
 };
 pub use error::BalanceError;
 pub use fitted::{bare, fitted};

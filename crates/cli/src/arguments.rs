@@ -7,6 +7,7 @@ use crate::options::bondgraph::BondgraphArguments;
 use crate::options::compare::CompareArguments;
 use crate::options::complete::CompleteArguments;
 use crate::options::counterweight::CounterweightArguments;
+use crate::options::durable::DurableArguments;
 use crate::options::explore::ExploreArguments;
 use crate::options::export::ExportArguments;
 use crate::options::mounts::MountsArguments;
@@ -158,6 +159,8 @@ pub enum Command {
                             lanchester balance twin.toml --most-optional 1 --shaft '-1 @ 0 mm, 100 mm @ 0 mm @ optional, most 0.02 kg m' \
                             --shaft '1 @ 0 mm, -100 mm @ 0 mm @ optional, most 0.02 kg m'\n  \
                             lanchester balance twin.toml --cancel 'force order 1' --shaft '-1 @ 0 mm, 100 mm @ 0 mm'\n  \
+                            lanchester balance four.toml --maximise 'main-bearing film'\n  \
+                            lanchester balance four.toml --at-least 'main-bearing film = 4 um' --at-least 'rule safety = 1.15' --give-up 'couple = 2 N m'\n  \
                             lanchester balance twin.toml --dry-run\n  lanchester balance twin.toml --write\n  \
                             lanchester balance twin.toml --search --limit 'force = 5 kN' --figures figures\n  \
                             lanchester balance twin.toml --search --mount-spacing '176 mm' --reference four.toml --share 1/2\n  \
@@ -165,7 +168,7 @@ pub enum Command {
                             lanchester balance four.toml --method matrix --webs 11000011 --shafts second\n  \
                             lanchester balance three.toml --method half --figures figures\n  \
                             lanchester balance twin.toml --method sweep --figures figures\n\n\
-                            Exit status 1: a limit cannot be reached, an order cannot vanish, or the search stopped early."
+                            Exit status 1: a limit cannot be reached, a film or safety falls below its value, an order cannot vanish, or the search stopped early."
     )]
     Balance(Box<BalanceArguments>),
     /// Counterweights as real parts: the best shape with its proof, clearance, drawing, CAD.
@@ -422,6 +425,9 @@ pub struct BalanceArguments {
     /// first, each next one without giving up any before it. Default: `force`, then `couple`.
     #[arg(long, alias = "minimize", value_name = "CRITERION")]
     pub minimise: Vec<String>,
+    /// The life of crankshaft and bearings.
+    #[command(flatten)]
+    pub durable: DurableArguments,
     /// A production of engines.
     #[command(flatten)]
     pub robust: RobustArguments,
@@ -540,6 +546,8 @@ pub enum BalanceTable {
     Stages,
     /// Limits and their prices.
     Limits,
+    /// Oil films and safeties before, at the optimum and after a search for them.
+    Durability,
     /// With --cancel: what had to vanish; with --method: what is left, order by order.
     Orders,
     /// With --cancel: the combinations of orders that prove the verdict.

@@ -4,6 +4,7 @@ pub(crate) mod bondgraph;
 pub(crate) mod compare;
 pub(crate) mod complete;
 pub(crate) mod counterweight;
+pub(crate) mod durable;
 pub(crate) mod explore;
 pub(crate) mod export;
 pub(crate) mod mounts;

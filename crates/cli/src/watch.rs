@@ -76,6 +76,19 @@ impl<'a> Watch<'a> {
         self.settings.next(elapsed)
     }
 
+    /// What a search for films and safeties does after so many engines.
+    pub fn look_at_films(&self, engines: usize) -> Next {
+        if self.phase.load(Ordering::Relaxed) == STOPPING {
+            return Next::Stop(StopCause::Cancelled);
+        }
+        let elapsed = self.began.elapsed().as_secs_f64();
+        if is_due(elapsed, self.said.get(), self.is_terminal) {
+            self.said.set(Some(elapsed));
+            self.say(&format!("oil films and safeties of {engines} engines"));
+        }
+        self.settings.next(elapsed)
+    }
+
     fn say(&self, words: &str) {
         if !self.is_terminal {
             eprintln!("{words}");

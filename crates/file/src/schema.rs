@@ -114,6 +114,10 @@ pub(crate) enum Kind {
     Amounts,
     /// A list of criteria that are one order of a load each.
     Orders,
+    /// A list of films and safeties.
+    Durabilities,
+    /// Films and safeties, each with its smallest value.
+    AtLeast,
     /// A table of criteria and the largest value of each.
     Limits,
     /// A table of criteria and the share or amount of each that later stages may give up.
@@ -165,6 +169,8 @@ impl Kind {
             Kind::Stages => "a list of criteria".into(),
             Kind::Amounts => "a mass or an unbalance with its unit, or a list of them".into(),
             Kind::Orders => "a list of orders of loads".into(),
+            Kind::Durabilities => "a list of films and safeties".into(),
+            Kind::AtLeast => "a table of films and safeties and their smallest values".into(),
             Kind::Limits => "a table of criteria and their largest values".into(),
             Kind::GiveUps => "a table of criteria and what each may give up".into(),
             Kind::Ratio => "a speed ratio such as -1, 2 or \"1/2\"".into(),

@@ -18,9 +18,9 @@ pub enum FilmError {
     },
     /// The clearance does not belong to this radius.
     #[error(
-        "the radial clearance is {:.4} mm on a journal radius of {:.3} mm, a ratio of {:.2e}: needed is {:.0e} to {:.0e} (common: 1e-3); \
-         a clearance is given as difference of diameters or of radii, which differ by a factor of two, and in mm or um",
-        clearance * 1e3, radius * 1e3, clearance / radius, range[0], range[1]
+        "the diametral clearance is {:.4} um on a journal diameter of {:.3} mm, a ratio of {:.2e}: needed is {:.0e} to {:.0e} (common: 1e-3)\n\
+         hint: give diametral_clearance as the difference of the diameters, some {:.0} um here, and check its unit",
+        clearance * 2e6, radius * 2e3, clearance / radius, range[0], range[1], radius * 2e3
     )]
     Clearance {
         /// Radial clearance [m].
@@ -32,8 +32,8 @@ pub enum FilmError {
     },
     /// The viscosity is not that of a lubricant.
     #[error(
-        "the viscosity is {viscosity} Pa s: needed is {} to {} Pa s (engine oil at work: 0.003 to 0.05); a kinematic viscosity in cSt \
-         needs the density: 1 cSt at 850 kg/m3 is 0.85 mPa s",
+        "the viscosity is {viscosity} Pa s: needed is {} to {} Pa s (engine oil at work: 0.003 to 0.05)\nhint: a kinematic viscosity times the \
+         density is the dynamic one: 1 cSt at 850 kg/m3 is 0.85 mPa s",
         range[0], range[1]
     )]
     Viscosity {

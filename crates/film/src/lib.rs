@@ -38,8 +38,12 @@ pub use contact::{contact_force, contact_with_slope};
 pub use error::FilmError;
 pub use grid::FilmGrid;
 pub use long::{long_bearing_force, sommerfeld_load};
-pub use oil::{DENSITY, HEAT_SHARE, OilCurve, SPECIFIC_HEAT, oil_grades, temperature_rise};
-pub use orbit::{FilmOrbit, JournalCycle, OrbitOutcome, OrbitRequest, journal_orbit};
+pub use oil::{
+    DENSITY, HEAT_SHARE, OIL_DENSITY, OilCurve, SPECIFIC_HEAT, check_density, oil_grades, temperature_rise,
+};
+pub use orbit::{
+    FilmOrbit, JournalCycle, LeastFilm, OrbitOutcome, OrbitRequest, journal_orbit, orbit_least_film,
+};
 pub use plane::Plane;
 pub use problem::{Feed, FilmProblem};
 pub use sheet::{BearingFilm, BearingFilmRequest, BearingKind, FilmOil, bearing_film};

@@ -47,7 +47,7 @@ impl OilCurve {
     /// # Errors
     /// [`FilmError::Number`] where they do not fall with temperature or the density is not above 0.
     pub fn through(cool: (f64, f64), hot: (f64, f64), density: f64) -> Result<OilCurve, FilmError> {
-        require(density > 0.0, "density of the oil [kg/m3]", "above 0", density)?;
+        check_density(density)?;
         require(
             cool.0 > 0.0 && hot.0 > cool.0,
             "higher of the two temperatures of the oil [K]",
@@ -89,6 +89,22 @@ impl OilCurve {
 /// Names of the grades that [`OilCurve::of_grade`] knows.
 pub fn oil_grades() -> impl Iterator<Item = &'static str> {
     GRADES.iter().map(|(grade, ..)| *grade)
+}
+
+/// Accepted densities of oils [kg/m3].
+pub const OIL_DENSITY: [f64; 2] = [500.0, 2000.0];
+
+/// Refuses a density that no lubricant has.
+///
+/// # Errors
+/// [`FilmError::Number`].
+pub fn check_density(density: f64) -> Result<(), FilmError> {
+    require(
+        (OIL_DENSITY[0]..=OIL_DENSITY[1]).contains(&density),
+        "density of the oil [kg/m3]",
+        "from 500 to 2000",
+        density,
+    )
 }
 
 /// Rise of the oil's temperature through a bearing [K]: share P / (rho c_p Q).

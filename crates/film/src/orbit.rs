@@ -191,6 +191,47 @@ impl System for Orbit<'_> {
 /// # Errors
 /// [`FilmError`] for a bearing or viscosity out of range, a table of another length, a load of fewer than 16 samples, no speed at all.
 pub fn journal_orbit(request: &OrbitRequest) -> Result<FilmOrbit, FilmError> {
+    let Traced { system, orbit, outcome, periods, change, steps } = trace(request)?;
+    let mut found = films(&system, &orbit)?;
+    found.outcome = outcome;
+    (found.periods, found.change, found.steps) = (periods, change, steps);
+    Ok(found)
+}
+
+/// The least film of an orbit, without what only films solved directly along it tell.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LeastFilm {
+    /// How the orbit ended.
+    pub outcome: OrbitOutcome,
+    /// Least film [m].
+    pub thickness: f64,
+    /// Its instant over the period.
+    pub at: f64,
+}
+
+/// The least film of [`journal_orbit`], to the last bit, in a small part of its time.
+///
+/// # Errors
+/// As [`journal_orbit`].
+pub fn orbit_least_film(request: &OrbitRequest) -> Result<LeastFilm, FilmError> {
+    let Traced { orbit, outcome, .. } = trace(request)?;
+    let least = farthest(&orbit);
+    let thickness = request.bearing.clearance * (1.0 - length(orbit[least]));
+    Ok(LeastFilm { outcome, thickness, at: least as f64 / orbit.len() as f64 })
+}
+
+/// An orbit as it was integrated.
+struct Traced<'a> {
+    system: Orbit<'a>,
+    /// Eccentricity over clearance at every instant of the load.
+    orbit: Vec<Plane>,
+    outcome: OrbitOutcome,
+    periods: usize,
+    change: f64,
+    steps: u64,
+}
+
+fn trace<'a>(request: &OrbitRequest<'a>) -> Result<Traced<'a>, FilmError> {
     let (bearing, cycle) = (&request.bearing, request.cycle);
     check(request)?;
     let mut system = Orbit { request: *request, scale: bearing.force_scale(request.viscosity) };
@@ -230,10 +271,13 @@ pub fn journal_orbit(request: &OrbitRequest) -> Result<FilmOrbit, FilmError> {
             break;
         }
     }
-    let mut found = films(&system, &orbit)?;
-    found.outcome = outcome;
-    (found.periods, found.change, found.steps) = (periods, change, integrator.statistics().steps);
-    Ok(found)
+    let steps = integrator.statistics().steps;
+    Ok(Traced { system, orbit, outcome, periods, change, steps })
+}
+
+/// Index of the largest eccentricity.
+fn farthest(orbit: &[Plane]) -> usize {
+    (0..orbit.len()).max_by(|a, b| length(orbit[*a]).total_cmp(&length(orbit[*b]))).unwrap_or(0)
 }
 
 fn check(request: &OrbitRequest) -> Result<(), FilmError> {
@@ -275,7 +319,7 @@ fn films(system: &Orbit, orbit: &[Plane]) -> Result<FilmOrbit, FilmError> {
     let request = &system.request;
     let (bearing, cycle) = (&request.bearing, request.cycle);
     let n = orbit.len();
-    let least = (0..n).max_by(|a, b| length(orbit[*a]).total_cmp(&length(orbit[*b]))).unwrap_or(0);
+    let least = farthest(orbit);
     let mut found = FilmOrbit {
         outcome: OrbitOutcome::NotPeriodic,
         periods: 0,

@@ -2,7 +2,7 @@
 
 use lanchester_film::{
     Cavitation, FilmOrbit, FilmTable, JournalBearing, JournalCycle, OrbitOutcome, OrbitRequest,
-    contact_force, journal_orbit,
+    contact_force, journal_orbit, orbit_least_film,
 };
 use std::f64::consts::{PI, TAU};
 
@@ -109,4 +109,22 @@ fn bad_cycles_name_what_is_needed() {
         FilmTable::new(0.5, Cavitation::MassConserving).is_err()
             && FilmTable::new(500.0, Cavitation::Full).is_err()
     );
+}
+
+#[test]
+fn the_least_film_alone_is_that_of_the_whole_orbit() {
+    let table = FilmTable::new(0.5, Cavitation::Gumbel).expect("a table");
+    let turning = cycle(|a| [load() * (0.4 + a.cos()), 0.7 * load() * (2.0 * a).sin()], 0.5 * SPEED);
+    for (roughness, mass) in [(0.0, None), (0.5e-6, None), (0.0, Some(1.0))] {
+        let whole = orbit(&table, &turning, roughness, mass);
+        let bearing = JournalBearing::new(0.025, 0.025, 2.5e-5).expect("plausible");
+        let request =
+            OrbitRequest { bearing, table: &table, viscosity: 0.01, cycle: &turning, roughness, mass };
+        let alone = orbit_least_film(&request).expect("an orbit");
+        assert_eq!(
+            (alone.thickness, alone.at, alone.outcome),
+            (whole.least_film, whole.least_film_at, whole.outcome)
+        );
+        assert!(alone.thickness > 0.0 && alone.thickness < 2.5e-5);
+    }
 }

@@ -3,7 +3,7 @@
 use crate::torque_report::bearing_sizes;
 use lanchester_film::{
     BearingFilm, BearingFilmRequest, BearingKind, Cavitation, DENSITY, FilmError, FilmOil, FilmTable,
-    JournalBearing, JournalCycle, OilCurve, bearing_film, check_viscosity, oil_grades,
+    JournalBearing, JournalCycle, OilCurve, bearing_film, check_density, check_viscosity, oil_grades,
 };
 use lanchester_mechanism::{BearingLoads, BearingSize};
 use lanchester_model::{BearingData, Cavitation as FileCavitation, Engine};
@@ -201,32 +201,32 @@ fn films_at(
 }
 
 /// A bearing with its load.
-struct Place {
-    kind: BearingKind,
-    crankshaft: usize,
-    number: usize,
-    size: BearingSize,
-    data: BearingData,
-    cycle: JournalCycle,
-    shell: Vec<f64>,
+pub(crate) struct Place {
+    pub kind: BearingKind,
+    pub crankshaft: usize,
+    pub number: usize,
+    pub size: BearingSize,
+    pub data: BearingData,
+    pub cycle: JournalCycle,
+    pub shell: Vec<f64>,
 }
 
 impl Place {
-    fn name(&self) -> String {
+    pub(crate) fn name(&self) -> String {
         match self.kind {
             BearingKind::Main => format!("main bearing {} of crankshaft {}", self.number, self.crankshaft),
             BearingKind::Crankpin => format!("big end of cylinder {}", self.number),
         }
     }
 
-    fn bearing(&self) -> Result<JournalBearing, FilmError> {
+    pub(crate) fn bearing(&self) -> Result<JournalBearing, FilmError> {
         let diameter = self.size.diameter;
         let clearance = self.data.diametral_clearance.unwrap_or(ASSUMED_CLEARANCE * diameter);
         JournalBearing::new(0.5 * diameter, self.data.width.unwrap_or(self.size.width), 0.5 * clearance)
     }
 }
 
-fn mains(engine: &Engine, loads: &BearingLoads, size: BearingSize) -> Vec<Place> {
+pub(crate) fn mains(engine: &Engine, loads: &BearingLoads, size: BearingSize) -> Vec<Place> {
     let all = engine.main_bearings();
     let duration = loads.period / loads.speed;
     let place = |main: &lanchester_mechanism::MainBearing| {
@@ -251,7 +251,7 @@ fn mains(engine: &Engine, loads: &BearingLoads, size: BearingSize) -> Vec<Place>
     loads.mains.iter().map(place).collect()
 }
 
-fn big_ends(engine: &Engine, loads: &BearingLoads, size: BearingSize) -> Vec<Place> {
+pub(crate) fn big_ends(engine: &Engine, loads: &BearingLoads, size: BearingSize) -> Vec<Place> {
     let duration = loads.period / loads.speed;
     let mut places = Vec::new();
     for own in loads.cylinders.iter().filter(|own| !own.radial.is_empty()) {
@@ -305,9 +305,10 @@ fn rod_angles(block: &[Complex64], rod: &[Complex64]) -> Vec<f64> {
     block.iter().zip(rod).map(angle).collect()
 }
 
-fn oil_of(engine: &Engine, assumptions: &mut Vec<String>) -> Result<FilmOil, BearingFilmsError> {
+pub(crate) fn oil_of(engine: &Engine, assumptions: &mut Vec<String>) -> Result<FilmOil, BearingFilmsError> {
     let given = engine.bearing_design.as_ref().map(|design| design.oil.clone()).unwrap_or_default();
     let density = given.density.unwrap_or(DENSITY);
+    check_density(density).map_err(|error| BearingFilmsError::Bearing { bearing: "oil".into(), error })?;
     if let Some(viscosity) = given.viscosity {
         check_viscosity(viscosity)
             .map_err(|error| BearingFilmsError::Bearing { bearing: "oil".into(), error })?;

@@ -1,6 +1,7 @@
 //! Engines and arrangements side by side.
 
 use crate::consequences::consequences;
+use crate::durability::similar_durability;
 use crate::inertias::{known_inertia, rotating_bodies};
 use crate::parts::web_bounds::{WebBoundError, optimise_on_webs};
 use crate::pressure::cylinders::cylinder_gas;
@@ -69,6 +70,8 @@ pub struct CompareRequest {
     pub mount_spacing: Option<f64>,
     /// Fluctuation of the speed that the flywheels keep at the lowest speed [1]; `None`: 2 %.
     pub fluctuation: Option<f64>,
+    /// Whether the safety of fillets by finite elements is compared too: seconds to minutes an engine.
+    pub finite_elements: bool,
 }
 
 /// Fluctuation of the speed that flywheels are compared at, where nobody says [1].
@@ -85,6 +88,7 @@ impl Default for CompareRequest {
             share: 1.0,
             mount_spacing: None,
             fluctuation: None,
+            finite_elements: false,
         }
     }
 }
@@ -253,7 +257,7 @@ pub fn compare(entries: &[CompareEntry], request: &CompareRequest) -> Result<Com
         .zip(&measures)
         .map(|(candidate, &own)| {
             let similar = Similar::of(request.equal, request.held, own, wanted)?;
-            candidate.compared(similar, request.mount_spacing, fluctuation)
+            candidate.compared(similar, request, fluctuation)
         })
         .collect::<Result<Vec<_>, _>>()?;
     let rankings = Criterion::ALL.iter().filter_map(|criterion| Ranking::of(*criterion, &engines)).collect();
@@ -378,10 +382,10 @@ impl Candidate {
     fn compared(
         &self,
         similar: Similar,
-        mount_spacing: Option<f64>,
+        asked: &CompareRequest,
         fluctuation: f64,
     ) -> Result<Compared, CompareError> {
-        let engine = &self.engine;
+        let (engine, mount_spacing) = (&self.engine, asked.mount_spacing);
         let request = LoadRequest {
             speed: Some(self.speed * similar.speed_of_original()),
             samples: 1,
@@ -396,6 +400,9 @@ impl Candidate {
         let force = similar.force() * left(peaks.force.max.value, natural[0]);
         let couple = similar.moment() * left(peaks.couple.max.value, natural[1]);
         let crank = self.inside_the_crank(similar)?;
+        let speeds = [engine.speed.lowest, self.speed];
+        let [main_film, crankpin_film, rule_safety, fillet_safety] =
+            similar_durability(engine, &self.traces, similar, speeds, asked.finite_elements);
         let counterweights: f64 = engine.counterweights.iter().map(|weight| weight.unbalance).sum();
         let shaft_weights: f64 =
             engine.shafts.iter().flat_map(|shaft| &shaft.weights).map(|weight| weight.unbalance).sum();
@@ -423,6 +430,10 @@ impl Candidate {
                 None => Some(self.stiff_mount_force(similar, self.engine.mounts.clone())?),
             },
             main_load: crank.largest(Affected::MainLoadPeak).map(|[load, _]| similar.force() * load),
+            main_film,
+            crankpin_film,
+            rule_safety,
+            fillet_safety: asked.finite_elements.then_some(fillet_safety),
             bending_moment: crank
                 .largest(Affected::BendingMoment)
                 .map(|[moment, _]| similar.moment() * moment),

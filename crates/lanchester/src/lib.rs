@@ -22,6 +22,7 @@ mod bond_graph;
 mod comparison;
 mod consequences;
 mod crosscheck;
+mod durability;
 mod engine_report;
 mod exchange;
 mod graph_report;
@@ -50,6 +51,7 @@ pub use bond_graph::{BondGraphError, BondGraphRequest, EngineBondGraph, engine_b
 pub use comparison::{CompareEntry, CompareError, CompareRequest, ComparedWith, compare};
 pub use consequences::consequences;
 pub use crosscheck::*;
+pub use durability::{DurabilityRequest, DurableOptions, EngineDurability, durable_balance};
 pub use engine_report::{EngineReport, fnv1a, in_one_line, provenance};
 pub use exchange::*;
 pub use graph_report::bond_graph_report;

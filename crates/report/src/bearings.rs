@@ -2,6 +2,7 @@
 
 pub(crate) mod bending;
 pub(crate) mod film_figures;
+pub(crate) mod film_map;
 pub(crate) mod film_name;
 pub(crate) mod films;
 pub(crate) mod internal_figure;

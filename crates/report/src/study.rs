@@ -7,6 +7,7 @@ pub(crate) mod sensitivity_tables;
 
 pub use comparison::{
     comparison_figure, comparison_table, comparison_text, equal_words, ranking_words, relative_table,
+    unmeasured_words,
 };
 pub use scatter_figures::scatter_figure;
 pub use scatter_tables::{

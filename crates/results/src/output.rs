@@ -337,7 +337,7 @@ impl FromStr for Output {
             rest = "";
         }
         let place = match (quantity.parts(), rest) {
-            (Parts::Numbered | Parts::Mounts, "") if largest => Place::Largest,
+            (Parts::Numbered | Parts::Mounts, "") if largest && !quantity.more_is_better() => Place::Largest,
             (_, _) if largest => return Err(strange(&words)),
             (_, "") => Place::Any,
             (Parts::Numbered, number) => match number.parse::<usize>() {
@@ -428,6 +428,24 @@ mod tests {
     }
 
     #[test]
+    fn what_should_be_large_goes_by_its_smallest_part() {
+        assert_eq!(read("least film"), Output::of(Quantity::LeastFilm));
+        let third = Output { place: Place::Number(3), ..Output::of(Quantity::MainFilm) };
+        for text in ["main-bearing film 3", "main bearing film 3", "least main-bearing film 3", "main film 3"]
+        {
+            assert_eq!(read(text), third, "{text}");
+        }
+        assert_eq!(third.unit(), "m");
+        assert_eq!(read("big-end film 2").to_string(), "crankpin film 2");
+        assert_eq!(read("rule safety 1").title(), "safety after UR M53 1");
+        assert!(Quantity::all().filter(|quantity| quantity.more_is_better()).all(|q| !q.is_over_cycle()));
+        for text in ["largest main-bearing film", "fillet safety 2", "least film 1"] {
+            assert!(matches!(text.parse::<Output>(), Err(OutputError::Rest { .. })), "{text}");
+        }
+        assert!(matches!("crankpin film order 1".parse::<Output>(), Err(OutputError::Size { .. })));
+    }
+
+    #[test]
     fn what_says_nothing_is_refused_with_its_reason() {
         let refused = |text: &str| text.parse::<Output>().expect_err(text);
         assert!(matches!(refused("forse"), OutputError::Unknown { nearest: Some("force"), .. }));
@@ -501,7 +519,9 @@ mod tests {
                 }
                 match quantity.parts() {
                     Parts::Axes if number > 5 => output.axis = Some(if forward { Axis::X } else { Axis::Y }),
-                    Parts::Numbered | Parts::Mounts if number == 0 => output.place = Place::Largest,
+                    Parts::Numbered | Parts::Mounts if number == 0 && !quantity.more_is_better() => {
+                        output.place = Place::Largest;
+                    }
                     Parts::Numbered if forward => output.place = Place::Number(number),
                     Parts::Mounts if forward => output.place = Place::Named(name),
                     _ => {}

@@ -54,6 +54,16 @@ pub enum Quantity {
     Cost,
     /// Inertia of the flywheel that a fluctuation needs [kg m2].
     Flywheel,
+    /// Smallest oil film of all main and big-end bearings over the cycle [m].
+    LeastFilm,
+    /// Smallest oil film of a main bearing over the cycle [m].
+    MainFilm,
+    /// Smallest oil film of the big-end bearing of a cylinder over the cycle [m].
+    CrankpinFilm,
+    /// Smallest safety of the fillets and oil bore of a throw by the formulas after IACS UR M53 [1].
+    RuleSafety,
+    /// Smallest safety against fatigue of the crankshaft's fillets by finite elements [1].
+    FilletSafety,
 }
 
 /// Of what a quantity can be asked.
@@ -73,7 +83,7 @@ pub(crate) enum Parts {
 struct Entry(Quantity, &'static str, &'static [&'static str], &'static str, Parts, bool);
 
 /// Every quantity. Where one name begins another the longer stands first.
-const ENTRIES: [Entry; 24] = [
+const ENTRIES: [Entry; 29] = [
     Entry(Quantity::Force, "force", &[], "N", Parts::Axes, true),
     Entry(Quantity::Couple, "couple", &[], "N m", Parts::Axes, true),
     Entry(Quantity::RollMoment, "roll moment", &[], "N m", Parts::Engine, true),
@@ -119,6 +129,25 @@ const ENTRIES: [Entry; 24] = [
     Entry(Quantity::AddedUnbalance, "added unbalance", &[], "kg m", Parts::Engine, false),
     Entry(Quantity::Cost, "cost", &[], "unit", Parts::Engine, false),
     Entry(Quantity::Flywheel, "flywheel", &[], "kg m2", Parts::Engine, false),
+    Entry(Quantity::LeastFilm, "least film", &["least oil film"], "m", Parts::Engine, false),
+    Entry(
+        Quantity::MainFilm,
+        "main-bearing film",
+        &["main bearing film", "main film", "least main-bearing film"],
+        "m",
+        Parts::Numbered,
+        false,
+    ),
+    Entry(
+        Quantity::CrankpinFilm,
+        "crankpin film",
+        &["big-end film", "least crankpin film"],
+        "m",
+        Parts::Numbered,
+        false,
+    ),
+    Entry(Quantity::RuleSafety, "rule safety", &["sheet safety"], "", Parts::Numbered, false),
+    Entry(Quantity::FilletSafety, "fillet safety", &[], "", Parts::Engine, false),
 ];
 
 impl Quantity {
@@ -144,6 +173,7 @@ impl Quantity {
             Quantity::FiringHarmonic => "firing harmonic",
             Quantity::NeighbourFirings => "successive firings of neighbours",
             Quantity::BalanceShafts => "balance shafts",
+            Quantity::RuleSafety => "safety after UR M53",
             other => other.name(),
         }
     }
@@ -160,6 +190,19 @@ impl Quantity {
     /// Whether it runs over the cycle: it has orders, a peak and a mean.
     pub fn is_over_cycle(self) -> bool {
         self.entry().5
+    }
+
+    /// Whether more of it is better. Of several parts the one with the smallest then counts; of all others less is better, and the part with
+    /// the largest counts.
+    pub fn more_is_better(self) -> bool {
+        matches!(
+            self,
+            Quantity::LeastFilm
+                | Quantity::MainFilm
+                | Quantity::CrankpinFilm
+                | Quantity::RuleSafety
+                | Quantity::FilletSafety
+        )
     }
 
     /// Whether it turns, so that an order has a part with the crank and one against it.

@@ -31,6 +31,33 @@ pub struct RuleThrow {
 }
 
 impl RuleThrow {
+    /// The same throw with all its lengths times `length`.
+    pub fn scaled(mut self, length: f64) -> RuleThrow {
+        self.radius *= length;
+        self.pin *= length;
+        for plane in self.mains.iter_mut().chain(&mut self.webs) {
+            *plane *= length;
+        }
+        if let Some(hole) = &mut self.oil_hole {
+            hole.diameter *= length;
+        }
+        self.sections = self.sections.map(|own| WebSection {
+            pin_diameter: own.pin_diameter * length,
+            pin_bore: own.pin_bore * length,
+            pin_fillet: own.pin_fillet * length,
+            pin_recess: own.pin_recess * length,
+            oil_bore: own.oil_bore.map(|bore| bore * length),
+            journal_diameter: own.journal_diameter * length,
+            journal_bore: own.journal_bore * length,
+            journal_fillet: own.journal_fillet * length,
+            journal_recess: own.journal_recess * length,
+            crank_radius: own.crank_radius * length,
+            web_thickness: own.web_thickness * length,
+            web_width: own.web_width * length,
+        });
+        self
+    }
+
     /// Share of a force on the pin that the main bearing in front carries [1]; the rest goes to the one behind.
     pub fn front_share(&self) -> f64 {
         (self.mains[1] - self.pin) / (self.mains[1] - self.mains[0])

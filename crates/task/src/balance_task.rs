@@ -5,6 +5,7 @@
 //! without the old one.
 
 use crate::drilling::DrillCatalogue;
+use crate::durability::DurabilityWish;
 use lanchester_model::Ratio;
 use serde::Serialize;
 
@@ -46,6 +47,9 @@ pub struct BalanceTask {
     pub cancel: Vec<(Load, f64)>,
     /// Most of the optional weights, shafts and inertias that may be used at once.
     pub most_optional: Option<usize>,
+    /// Films and safeties that must not fall below a value or are to be large, after the optimum of the stages.
+    #[serde(skip_serializing_if = "DurabilityWish::is_empty")]
+    pub durability: DurabilityWish,
 }
 
 impl BalanceTask {

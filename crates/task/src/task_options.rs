@@ -3,6 +3,7 @@
 use crate::balance_task::WHAT_FITS;
 use crate::balance_task::{BalanceTask, Catalogue, Cost, Seat};
 use crate::default_task::{CrankWeightPlaces, crank_weights};
+use crate::durability::{AtLeast, DurabilityCriterion};
 use crate::give_up;
 use crate::option::{self, BadQuantity};
 use crate::room::{RoomFault, RoomFaultKind, TaskDevice, room_faults};
@@ -25,6 +26,10 @@ pub struct TaskOptions {
     pub give_up: Vec<String>,
     /// What must hold ([`option::limit`]); replaces limits on the same.
     pub limits: Vec<String>,
+    /// Films and safeties that are to be large ([`DurabilityCriterion::read`]), in place of those of the task.
+    pub maximise: Vec<String>,
+    /// Films and safeties that must not fall below a value ([`AtLeast::read`]); each replaces one on the same.
+    pub at_least: Vec<String>,
     /// Largest cost ([`option::budget`]), in place of the task's.
     pub budget: Option<String>,
     /// Orders that must vanish ([`option::cancel`]), in place of the task's stages and limits.
@@ -170,8 +175,17 @@ impl TaskOptions {
             task.limits.retain(|known| known.criterion != limit.criterion);
             task.limits.push(limit);
         }
+        if !self.maximise.is_empty() {
+            let read = |text: &String| DurabilityCriterion::read(text, engine);
+            task.durability.maximise = self.maximise.iter().map(read).collect::<Result<_, _>>()?;
+        }
+        for text in &self.at_least {
+            let own = AtLeast::read(text, engine, &self.name("at-least"))?;
+            task.durability.at_least.retain(|known| known.criterion != own.criterion);
+            task.durability.at_least.push(own);
+        }
         if !self.speeds.is_empty() {
-            if !engine.is_on_springs() && !task.counts_gas() {
+            if !engine.is_on_springs() && !task.counts_gas() && task.durability.is_empty() {
                 return Err(refused(
                     format!(
                         "{} has no effect: no mount of the engine has springs, and no criterion counts the gas",
@@ -180,7 +194,7 @@ impl TaskOptions {
                     "leave it out: all other loads are largest at the highest speed",
                 ));
             }
-            if !task.counts_mounts() && !task.counts_gas() {
+            if !task.counts_mounts() && !task.counts_gas() && task.durability.is_empty() {
                 return Err(refused(
                     format!(
                         "{} has no effect: neither a mount force nor a load with gas is minimised or limited",

@@ -133,6 +133,9 @@ pub(crate) const FILES: &[(&str, &str)] = embedded![
     "modelica-engines/single-gas.json",
     "modelica-engines/single.json",
     "modelica-engines/slider-crank.json",
+    "oil-films/source.json",
+    "oil-films/finite-films.json",
+    "oil-films/short-bearing.json",
     "mechanisms/source.json",
     "mechanisms/squeezer.json",
 ];
@@ -240,8 +243,9 @@ mod tests {
     #[test]
     fn files_can_be_read_and_explain_what_is_no_match() {
         for source in sources() {
-            // Mechanisms that are no engines stand alone.
-            let has_engines = source.key == "mechanisms" || !source.engines.is_empty();
+            // Mechanisms and films that are no engines stand alone.
+            let has_engines =
+                ["mechanisms", "oil-films"].contains(&source.key.as_str()) || !source.engines.is_empty();
             assert!(!source.tables.is_empty() && has_engines, "{}", source.key);
             for table in &source.tables {
                 for row in &table.rows {

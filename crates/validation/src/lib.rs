@@ -24,7 +24,6 @@ mod gas;
 mod gas_run;
 mod graph;
 mod inputs;
-mod mechanism;
 mod method;
 mod mount;
 mod quantity;
@@ -33,6 +32,7 @@ mod result;
 mod rigid_run;
 mod shape;
 mod source;
+mod standalone;
 mod stress;
 #[cfg(test)]
 mod tests;
@@ -248,6 +248,9 @@ fn ours(bench: &mut Bench, place: &Place, engine: &[Edit], further: &[Edit]) -> 
     if let Key::Mechanism(key) = &key {
         return Ok(Ours { value: Value::Number(key.of()? / divisor), is_input: false });
     }
+    if let Key::Film(key) = &key {
+        return Ok(Ours { value: Value::Number(key.of()? / divisor), is_input: false });
+    }
     if let Key::Workshop(key) = &key {
         let (sheet, inputs) = sheet(source, &edits)?;
         let number = key.of(&sheet)?;
@@ -284,7 +287,7 @@ fn describe(place: &Place, engine: &[Edit]) -> String {
     let kinematics = |k: KinematicsName| k.kinematics().name();
     let edits = [engine, column_edits, &row.with].concat();
     let engine = edits.iter().map(Edit::to_string).collect::<Vec<_>>().join(", ");
-    if row.key.starts_with("squeezer ") {
+    if ["squeezer ", "film ", "short bearing "].iter().any(|own| row.key.starts_with(own)) {
         return row.key.clone() + &table.how.as_ref().map_or_else(String::new, |how| format!(". {how}"));
     }
     if row.key.starts_with("workshop ") {

@@ -16,17 +16,18 @@
 //! engine, see [`EngineDatum`]; `a plus b` adds them. Devices that a method fits: [`DeviceKey`]. Shapes of counterweights:
 //! [`ShapeKey`]. Forces at mounts: [`MountKey`]. What the gas does: [`GasKey`]. The bond graph: [`GraphKey`]. Static stress: [`StressKey`].
 //! The flexible crankshaft over the cycle: [`CycleKey`]. Torsion: [`TorsionKey`]. Runs in time: [`RunKey`]. Workshop sheets:
-//! [`WorkshopKey`]. Mechanisms: [`MechanismKey`].
+//! [`WorkshopKey`]. Mechanisms: [`MechanismKey`]. Oil films: [`FilmKey`].
 
 use crate::case::Run;
 use crate::crank_cycle::{CycleKey, cycle_of};
 use crate::gas::GasKey;
 use crate::graph::GraphKey;
-use crate::mechanism::MechanismKey;
 use crate::method::DeviceKey;
 use crate::mount::MountKey;
 use crate::rigid_run::RunKey;
 use crate::shape::ShapeKey;
+use crate::standalone::film::FilmKey;
+use crate::standalone::mechanism::MechanismKey;
 use crate::stress::{StressKey, StressRun};
 use crate::torsion::TorsionKey;
 use crate::value::Value;
@@ -64,6 +65,8 @@ pub(crate) enum Key {
     Run(RunKey),
     /// Of a mechanism that is no engine.
     Mechanism(MechanismKey),
+    /// Of an oil film that belongs to no engine.
+    Film(FilmKey),
     /// Of a workshop sheet.
     Workshop(WorkshopKey),
 }
@@ -192,6 +195,9 @@ impl Key {
         if let Some(mount) = MountKey::parse(text) {
             return Ok(Key::Mount(mount));
         }
+        if let Some(film) = FilmKey::parse(text) {
+            return Ok(Key::Film(film));
+        }
         if let Some(mechanism) = MechanismKey::parse(text) {
             return Ok(Key::Mechanism(mechanism));
         }
@@ -251,6 +257,7 @@ impl Key {
                 found.as_ref().map(|found| Value::Number(stress.of(found))).map_err(Clone::clone)
             }
             Key::Run(key) => key.of(run).map(Value::Number),
+            Key::Film(_) => Err("an engine is no film of its own".to_string()),
             Key::Mechanism(_) => Err("an engine is no mechanism of its own".to_string()),
             Key::Workshop(_) => Err("an engine is no workshop sheet".to_string()),
         }

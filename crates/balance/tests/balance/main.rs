@@ -5,5 +5,6 @@
 mod branch;
 mod cancellation;
 mod consequences;
+mod durable;
 mod optimum;
 mod which_arrangement;

@@ -16,13 +16,14 @@ use crate::options::search_limit::hint;
 use crate::requests::balance::balance_task;
 use crate::trace_files::trace_files;
 use crate::watch::Watch;
-use lanchester::balance::{Answer, Consequences, Outcome, fitted};
+use lanchester::balance::{Answer, Consequences, Durable, Outcome, fitted};
 use lanchester::model::Engine;
 use lanchester::report::{
-    PartMass, Table, balance_text, consequence_figures, headline, optimum_figures, part_masses_table,
+    PartMass, Table, balance_text, consequence_figures, durability_table, durability_text, headline,
+    optimum_figures, part_masses_table,
 };
-use lanchester::task::Tasks;
-use lanchester::{WeightAsPart, optimise_on_webs, weights_as_parts};
+use lanchester::task::{BalanceTask, Tasks};
+use lanchester::{WeightAsPart, durable_balance, optimise_on_webs, weights_as_parts};
 use serde::Serialize;
 use std::path::Path;
 
@@ -78,7 +79,8 @@ pub fn run(arguments: &BalanceArguments, colour: bool) -> Result<u8, Failure> {
     }
     let settings = arguments.limits.settings()?;
     let watch = Watch::new(engine, settings);
-    let traces = match task.counts_gas() {
+    let tells_films = tells_films(engine, &task);
+    let traces = match task.counts_gas() || tells_films {
         true => trace_files(engine, &arguments.file)?,
         false => Vec::new(),
     };
@@ -90,7 +92,6 @@ pub fn run(arguments: &BalanceArguments, colour: bool) -> Result<u8, Failure> {
         &settings,
         &|state| watch.look(state),
     );
-    drop(watch);
     let answer = answer.map_err(Failure::refused)?;
     if let Outcome::Stopped { cause, .. } = &answer.outcome {
         let hint = hint(*cause, &settings);
@@ -99,7 +100,25 @@ pub fn run(arguments: &BalanceArguments, colour: bool) -> Result<u8, Failure> {
         }
     }
     let found = !matches!(answer.outcome, Outcome::Infeasible { .. });
-    let after = fitted(engine, &answer);
+    let durable = match found && !answer.weights.is_empty() && tells_films {
+        true => {
+            let options = arguments.durable.options(settings);
+            let found = durable_balance(&opened.file, Ok(&traces), &answer, &options, &|count| {
+                watch.look_at_films(count)
+            });
+            Some(found.map_err(Failure::refused)?)
+        }
+        false => None,
+    };
+    drop(watch);
+    let after = match &durable {
+        Some(durable) if durable.is_moved() => durable.engine(engine, &answer),
+        _ => fitted(engine, &answer),
+    };
+    let status = match &durable {
+        Some(durable) if !durable.is_met() => NOT_AS_EXPECTED,
+        _ => status(&answer),
+    };
     let loads_after = loads_of(&after)?;
     let effect = match answer.weights.is_empty() {
         true => None,
@@ -117,23 +136,35 @@ pub fn run(arguments: &BalanceArguments, colour: bool) -> Result<u8, Failure> {
         }
     }
     if found && put_into_file(&opened, arguments, &after, effect.as_ref(), colour)? {
-        return Ok(status(&answer));
+        return Ok(status);
     }
-    if status(&answer) != DONE && arguments.format != Format::Text {
+    if status != DONE && arguments.format != Format::Text {
         tell(headline(engine, &answer));
     }
     let as_parts = if found { as_parts(&answer, &after, &opened.file.tasks) } else { Vec::new() };
     print(&match (arguments.format, arguments.table) {
         (Format::Text, _) => {
             let text = balance_text(engine, &answer, effect.as_ref(), &loads_after.diagnosis.summary);
-            text + &masses(&as_parts).map_or(String::new(), |table| format!("\n{}", table.text()))
+            let films = durable.as_ref().map_or_else(String::new, |found| durability_text(engine, found));
+            let films = if films.is_empty() { films } else { format!("\n{films}") };
+            text + &masses(&as_parts).map_or(String::new(), |table| format!("\n{}", table.text())) + &films
         }
         (Format::Json, _) => {
-            json(&Found { answer: &answer, as_parts: &as_parts, consequences: effect.as_ref() })?
+            let durability = durable.as_ref();
+            json(&Found { answer: &answer, as_parts: &as_parts, consequences: effect.as_ref(), durability })?
+        }
+        (Format::Csv, Some(BalanceTable::Durability)) => {
+            durable.as_ref().map_or_else(String::new, |found| durability_table(found).csv())
         }
         (Format::Csv, table) => csv(engine, &answer, effect.as_ref(), table),
     })?;
-    Ok(status(&answer))
+    Ok(status)
+}
+
+/// Whether films and safeties are told: where they are wanted, and where the file says enough of the oil.
+fn tells_films(engine: &Engine, task: &BalanceTask) -> bool {
+    let oil = engine.bearing_design.as_ref().map(|design| &design.oil);
+    !task.durability.is_empty() || oil.is_some_and(|oil| oil.viscosity.is_some() || oil.name.is_some())
 }
 
 /// What was found, with the weights as parts where the file says among which shapes they are searched.
@@ -145,6 +176,8 @@ struct Found<'a> {
     as_parts: &'a [WeightAsPart],
     #[serde(skip_serializing_if = "Option::is_none")]
     consequences: Option<&'a Consequences>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    durability: Option<&'a Durable>,
 }
 
 /// The found weights as parts; what is in the way of that is a warning.

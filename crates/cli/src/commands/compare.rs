@@ -71,7 +71,8 @@ fn request(arguments: &CompareArguments) -> Result<CompareRequest, Failure> {
     let share = arguments.share.as_deref().map_or(Ok(1.0), share)?;
     let spacing = arguments.mount_spacing.as_deref();
     let mount_spacing = spacing.map(|text| option::length(text, "--mount-spacing")).transpose()?;
-    Ok(CompareRequest { equal, held, speed, reference, share, mount_spacing, fluctuation })
+    let finite_elements = arguments.finite_elements;
+    Ok(CompareRequest { equal, held, speed, reference, share, mount_spacing, fluctuation, finite_elements })
 }
 
 /// What every file is compared with.

@@ -8,17 +8,39 @@ use crate::format::Format;
 use crate::options::explore::ExploreArguments;
 use crate::requests::explore::{LayoutSearch, layout_search};
 use crate::run::{Head, run_alone, run_into};
+use crate::trace_files::trace_files;
 use lanchester::file::{expanded, read, render};
 use lanchester::model::Engine;
 use lanchester::report::{layout_front_figure, layout_front_table, layout_ranking_table, layout_search_text};
 use lanchester::study::explore::{Exploration, ExploreAnswer, Explorer};
-use lanchester::{LayoutRows, LayoutStudy, SavedSearch, adopted_layout, given_engine};
+use lanchester::task::{DurabilityMeter, Measured};
+use lanchester::{
+    DurabilityRequest, EngineDurability, LayoutRows, LayoutStudy, SavedSearch, adopted_layout, given_engine,
+    layout_meter,
+};
 use lanchester_files::shown;
 use std::path::Path;
 
 pub fn run(arguments: &ExploreArguments, colour: bool) -> Result<u8, Failure> {
     let opened = open(&arguments.file, colour)?;
-    let LayoutSearch { explorer, notes } = layout_search(&opened.file.engine, arguments)?;
+    let LayoutSearch { explorer, mut notes, told } = layout_search(&opened.file.engine, arguments)?;
+    let explorer = match told.is_empty() {
+        true => explorer,
+        false => {
+            let engine = &opened.file.engine;
+            let traces = trace_files(engine, &arguments.file)?;
+            let own = EngineDurability::of_files(traces.clone(), DurabilityRequest::default());
+            // What the engine of the file does not know its layouts do not know either.
+            for measured in own.measure(engine, &told) {
+                if let Measured::Unknown(why) = measured {
+                    return Err(Failure::input(why.reason, &why.remedy));
+                }
+            }
+            let meter =
+                layout_meter(engine, traces, &explorer.request().space.parts, arguments.most_measured);
+            explorer.with_meter(meter)
+        }
+    };
     arguments.run.set_threads();
     let rows = match (&arguments.run.save, arguments.front_only) {
         (None, _) => LayoutRows::Nothing,
@@ -35,7 +57,16 @@ pub fn run(arguments: &ExploreArguments, colour: bool) -> Result<u8, Failure> {
         }
     };
     let engine = &opened.file.engine;
-    let answer = answer_of(engine, &study.explorer, &found, notes)?;
+    if !study.explorer.request().at_least.is_empty() {
+        notes.push(format!(
+            "films and safeties were computed for {} layouts: those that no other layout covers",
+            study.explorer.measured_layouts()
+        ));
+    }
+    let mut answer = answer_of(engine, &study.explorer, &found, notes)?;
+    if !told.is_empty() {
+        study.explorer.tell_durability(&mut answer, &told, arguments.rows).map_err(Failure::refused)?;
+    }
     if let Some(folder) = arguments.figures.as_deref().filter(|_| !answer.front.is_empty()) {
         write_figures(folder, &arguments.file, &[layout_front_figure(&answer)])?;
     }
@@ -43,7 +74,7 @@ pub fn run(arguments: &ExploreArguments, colour: bool) -> Result<u8, Failure> {
         adopt(&opened, arguments, &study.explorer, &answer, number, colour)?;
     }
     print(&said(&answer, arguments.format, arguments.rows, arguments.ranking)?)?;
-    Ok(if answer.counts.judged == 0 { NOT_AS_EXPECTED } else { DONE })
+    Ok(if answer.front.is_empty() { NOT_AS_EXPECTED } else { DONE })
 }
 
 /// The answer with the engine of the file in it.

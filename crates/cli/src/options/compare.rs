@@ -39,6 +39,11 @@ pub struct CompareArguments {
     /// Fluctuation of the speed that the flywheels keep at the lowest speed, highest minus lowest over mean; default: 2 %.
     #[arg(long, value_name = "SHARE")]
     pub fluctuation: Option<String>,
+    /// Compare the smallest safety of the fillets by finite elements too, at the lowest speed and at that of the comparison: seconds to minutes an
+    /// engine. Oil films of the bearings (some tenths of a second an engine) and the formulas after UR M53 (milliseconds) are compared in any case, where
+    /// the files have [bearings.film] with clearances, and [crank.body] with fillets and [crank.material].
+    #[arg(long)]
+    pub finite_elements: bool,
     /// Write the bars as an SVG file into this folder.
     #[arg(long, value_name = "FOLDER")]
     pub figures: Option<PathBuf>,

@@ -23,6 +23,17 @@ pub struct ExploreArguments {
     /// What layouts must hold; may be repeated: an objective and its largest value, such as `length = 500 mm`.
     #[arg(long, value_name = "LIMIT")]
     pub limit: Vec<String>,
+    /// Oil film or safety that layouts on the front and in the ranking must have at least; may be repeated: `main-bearing film = 2 um`, `least film = 1
+    /// um`, `rule safety = 1.15`. Layouts have the bearings, oil, gas and sizes of the crankshaft of the file. Each costs tens of milliseconds and more, a
+    /// million times the other limits: it is computed for those layouts alone that no other covers, and the counts of cases leave it out.
+    #[arg(long, value_name = "LIMIT")]
+    pub at_least: Vec<String>,
+    /// Oil film or safety that is told of the layouts found, as many as `--rows`; may be repeated. Those of `--at-least` are told in any case.
+    #[arg(long, value_name = "CRITERION")]
+    pub durability: Vec<String>,
+    /// Most layouts whose films and safeties are computed.
+    #[arg(long, value_name = "N", default_value_t = 10_000)]
+    pub most_measured: u64,
     /// Only layouts that fire evenly, within this angle if one is given.
     #[arg(long, value_name = "TOLERANCE", num_args = 0..=1, default_missing_value = "0 deg", require_equals = true)]
     pub even_firing: Option<String>,

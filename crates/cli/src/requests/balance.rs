@@ -23,6 +23,8 @@ pub fn balance_task(file: &EngineFile, arguments: &BalanceArguments) -> Result<B
         most_optional: arguments.most_optional,
         speeds: arguments.speed.clone(),
         give_up: arguments.give_up.clone(),
+        maximise: arguments.durable.maximise.clone(),
+        at_least: arguments.durable.at_least.clone(),
     };
     let engine = &file.engine;
     let task = file.tasks.balance.clone().unwrap_or_else(|| default_task(engine));

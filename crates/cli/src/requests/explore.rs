@@ -9,7 +9,7 @@ use lanchester::study::explore::{
     Constraint, CounterweightPattern, ExploreRequest, Explorer, Objective, Removes, Sense, ShaftDesign,
     ShaftSet, even_angles,
 };
-use lanchester::task::option;
+use lanchester::task::{AtLeast, DurabilityCriterion, option};
 use lanchester::{LayoutChoices, LayoutSpace, layout_space, own_pattern};
 use std::f64::consts::TAU;
 
@@ -17,6 +17,8 @@ use std::f64::consts::TAU;
 pub struct LayoutSearch {
     pub explorer: Explorer,
     pub notes: Vec<String>,
+    /// Films and safeties that are told of the layouts found.
+    pub told: Vec<DurabilityCriterion>,
 }
 
 /// The search behind the options.
@@ -34,13 +36,38 @@ pub fn layout_search(engine: &Engine, arguments: &ExploreArguments) -> Result<La
             "name it once",
         ));
     }
+    // A layout has other numbers of bearings than the engine: what is named goes by the whole.
+    let at_least: Vec<AtLeast> = arguments
+        .at_least
+        .iter()
+        .map(|text| AtLeast::read(text, engine, "--at-least"))
+        .collect::<Result<_, _>>()?;
+    let mut told: Vec<DurabilityCriterion> = arguments
+        .durability
+        .iter()
+        .map(|text| DurabilityCriterion::read(text, engine))
+        .collect::<Result<_, _>>()?;
+    told.extend(at_least.iter().map(|limit| limit.criterion));
+    if told.contains(&DurabilityCriterion::FilletSafety) {
+        return Err(Failure::input(
+            "fillet safety takes finite elements for every layout, which this search does not compute",
+            "name `rule safety`, and judge the layout that you adopt with `lanchester stress fatigue`",
+        ));
+    }
+    let mut once: Vec<DurabilityCriterion> = Vec::new();
+    for criterion in told {
+        if !once.contains(&criterion) {
+            once.push(criterion);
+        }
+    }
     let request = ExploreRequest {
+        at_least,
         most_cases: arguments.most_cases.into(),
         most_on_front: arguments.most_on_front,
         resolution: arguments.resolution,
         ..ExploreRequest::new(space, objectives, constraints)
     };
-    Ok(LayoutSearch { explorer: Explorer::new(request).map_err(Failure::refused)?, notes })
+    Ok(LayoutSearch { explorer: Explorer::new(request).map_err(Failure::refused)?, notes, told: once })
 }
 
 fn objectives(arguments: &ExploreArguments) -> Result<Vec<Objective>, Failure> {

@@ -188,8 +188,10 @@ impl Walk<'_> {
             (Kind::Number(bound), Toml::Integer(_) | Toml::Float(_)) => self.bare_number(key, item, bound),
             (Kind::Truth, Toml::Boolean(truth)) => Some(Value::Truth(*truth)),
             (Kind::Stages, Toml::Array(array)) => self.stages(key, array, item),
-            (Kind::Orders, Toml::Array(array)) => self.orders(key, array, item),
-            (Kind::Limits | Kind::GiveUps, Toml::Table(table)) => self.terms(key, table).map(Value::Terms),
+            (Kind::Orders | Kind::Durabilities, Toml::Array(array)) => self.orders(key, array, item),
+            (Kind::Limits | Kind::AtLeast | Kind::GiveUps, Toml::Table(table)) => {
+                self.terms(key, table).map(Value::Terms)
+            }
             (Kind::Amounts, Toml::String(_) | Toml::Integer(_) | Toml::Float(_)) => {
                 self.amount(key, item, key_span).map(|one| Value::Texts(vec![one]))
             }

@@ -7,7 +7,8 @@ use lanchester_task::WHAT_FITS;
 use lanchester_task::criterion::{dimension, name_among};
 use lanchester_task::workshop::{DrillDirection, Surface};
 use lanchester_task::{
-    BalanceTask, Catalogue, Criterion, DrillCatalogue, FreeWeight, GiveUp, Limit, Phase, Place, Seat, Tasks,
+    AtLeast, BalanceTask, Catalogue, Criterion, DrillCatalogue, FreeWeight, GiveUp, Limit, Phase, Place,
+    Seat, Tasks,
 };
 use lanchester_units::{Dimension, text_that};
 use std::f64::consts::PI;
@@ -81,6 +82,20 @@ impl File {
                 })
                 .collect();
             self.entry("limits", &format!("{{ {} }}", limits.join(", ")));
+        }
+        let wish = &task.durability;
+        if !wish.at_least.is_empty() {
+            let value = |one: &AtLeast| match one.criterion.is_film() {
+                true => quantity(one.least, Dimension::Length),
+                false => format!("{:?}", one.least),
+            };
+            let all =
+                wish.at_least.iter().map(|one| format!("\"{}\" = {}", one.criterion.name(), value(one)));
+            self.entry("at_least", &format!("{{ {} }}", all.collect::<Vec<_>>().join(", ")));
+        }
+        if !wish.maximise.is_empty() {
+            let all = wish.maximise.iter().map(|criterion| format!("\"{}\"", criterion.name()));
+            self.entry("maximise", &format!("[{}]", all.collect::<Vec<_>>().join(", ")));
         }
         if !task.cancel.is_empty() {
             let orders: Vec<String> =

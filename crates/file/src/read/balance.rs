@@ -5,6 +5,7 @@ mod crank_inertia;
 mod criteria;
 mod devices;
 mod drill;
+mod durability;
 mod follows;
 mod free_shaft;
 mod free_weight;
@@ -18,7 +19,9 @@ use lanchester_diagnostic::Mistake;
 use lanchester_model::Engine;
 use lanchester_model::Mount;
 use lanchester_task::default_task;
-use lanchester_task::{BalanceTask, Criterion, FreeInertia, FreeShaft, GiveUp, Limit, Load, Place, Stage};
+use lanchester_task::{
+    BalanceTask, Criterion, DurabilityWish, FreeInertia, FreeShaft, GiveUp, Limit, Load, Place, Stage,
+};
 use lanchester_units::Dimension;
 
 /// `[balance]` before the engine is known.
@@ -38,6 +41,8 @@ pub(super) struct DraftBalance {
     mass_span: Option<Span>,
     /// Criteria that are about main bearings, and where they stand.
     of_mains: Vec<(Criterion, Span)>,
+    /// Films and safeties, and where each stands.
+    durability: (DurabilityWish, Vec<Span>),
 }
 
 impl<'a> Reader<'a> {
@@ -55,6 +60,7 @@ impl<'a> Reader<'a> {
         let budget = self.budget(section);
         let cancel = self.cancelled(section, mounts);
         let give_up = stages.as_ref().and_then(|stages| self.given_up(section, stages, mounts));
+        let durability = self.durability_wish(section);
         let mass_span = self.mass_span(section, mounts);
         let most_optional = section.whole("most_optional");
         let speeds = self.judged_speeds(section);
@@ -78,6 +84,7 @@ impl<'a> Reader<'a> {
             speeds: speeds?.map(|speeds| (speeds, section.key_span("speeds"))),
             mass_span,
             of_mains: self.of_mains(section, mounts),
+            durability: durability?,
         };
         if let Field::Given(most) = &most_optional {
             draft.most_optional = usize::try_from(most.value).ok();
@@ -111,6 +118,7 @@ impl<'a> Reader<'a> {
             speeds: Vec::new(),
             speed_weights: Vec::new(),
             weights: Vec::new(),
+            durability: draft.durability.0,
         };
         if is_empty {
             task.weights = default_task(engine).weights;
@@ -143,6 +151,7 @@ impl<'a> Reader<'a> {
         if let Some((_, span)) = draft.speeds.clone()
             && !engine.is_on_springs()
             && !task.counts_gas()
+            && task.durability.is_empty()
         {
             let message = "`speeds` has no effect: no mount has springs, no criterion counts the gas, and all other loads are largest \
                            at the highest speed";
@@ -151,7 +160,10 @@ impl<'a> Reader<'a> {
                     .hint("give [block] and stiffness to every [[mount]], name a criterion \"with gas\", or leave it out"),
             );
         }
-        let has_speeds = draft.speeds.as_ref().filter(|_| !task.counts_gas() && !task.counts_mounts());
+        let has_speeds = draft
+            .speeds
+            .as_ref()
+            .filter(|_| !task.counts_gas() && !task.counts_mounts() && task.durability.is_empty());
         if let Some((_, span)) = has_speeds.filter(|_| engine.is_on_springs()) {
             let message = "`speeds` has no effect on what [balance] asks for: neither a mount force nor a load with gas is minimised or \
                            limited, and all other loads are largest at the highest speed";
@@ -164,6 +176,7 @@ impl<'a> Reader<'a> {
             self.check_radii(&task, span);
         }
         self.check_named_mains(engine, &draft.of_mains);
+        self.check_durability_parts(&task.durability, engine, &draft.durability.1);
         Some(Some(task))
     }
 

@@ -98,6 +98,15 @@ fn key_schema(key: &Key) -> Value {
             json!({ "anyOf": [one, list(one.clone())] })
         }
         Kind::Orders => json!({ "type": "array", "items": { "type": "string" }, "minItems": 1 }),
+        Kind::Durabilities => json!({ "type": "array", "items": { "type": "string" }, "minItems": 1 }),
+        Kind::AtLeast => json!({
+            "type": "object",
+            "additionalProperties": { "anyOf": [
+                bounded(Dimension::Length, Bound::Positive),
+                { "type": "number", "exclusiveMinimum": 0 },
+            ] },
+            "minProperties": 1,
+        }),
         Kind::Limits => criteria_with_values(&CRITERION_DIMENSIONS),
         Kind::GiveUps => criteria_with_values(&[&CRITERION_DIMENSIONS[..], &[Dimension::Share]].concat()),
         Kind::Ratio => json!({ "anyOf": [

@@ -72,10 +72,13 @@ fn info(key: &Key) -> KeyInfo {
         Kind::Share | Kind::ShareOrPair | Kind::ShareOrThree => ("share", Vec::new()),
         Kind::Number(_) => ("number", Vec::new()),
         Kind::Ratio => ("ratio", Vec::new()),
-        Kind::Wholes(..) | Kind::Direction | Kind::Amounts | Kind::Stages | Kind::Orders => {
-            ("list", Vec::new())
-        }
-        Kind::Limits | Kind::GiveUps | Kind::Table(_) => ("table", Vec::new()),
+        Kind::Wholes(..)
+        | Kind::Direction
+        | Kind::Amounts
+        | Kind::Stages
+        | Kind::Orders
+        | Kind::Durabilities => ("list", Vec::new()),
+        Kind::Limits | Kind::AtLeast | Kind::GiveUps | Kind::Table(_) => ("table", Vec::new()),
         Kind::Tables(..) => ("tables", Vec::new()),
         Kind::ValuesOrTables(..) => ("list", Vec::new()),
     };

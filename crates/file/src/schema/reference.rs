@@ -89,6 +89,8 @@ fn holds(kind: Kind) -> String {
         Kind::Stages => "list of criteria".into(),
         Kind::Amounts => "mass or unbalance; one or a list".into(),
         Kind::Orders => "list of criteria, one order each".into(),
+        Kind::Durabilities => "list of films and safeties".into(),
+        Kind::AtLeast => "table of films and safeties".into(),
         Kind::Limits | Kind::GiveUps => "table of criteria".into(),
         Kind::Ratio => "whole number, or a fraction as text".into(),
         Kind::Table(table) => format!("table `{}`", table.header),

@@ -275,7 +275,7 @@ pub fn adopted_layout(engine: &Engine, explorer: &Explorer, case: u128) -> Resul
 }
 
 /// Measured pressures belong to the cylinders of their engine.
-fn holds_for_any_layout(gas: &Gas) -> bool {
+pub(crate) fn holds_for_any_layout(gas: &Gas) -> bool {
     matches!((&gas.source, &gas.crankcase), (GasSource::Cycle(_), CrankcasePressure::Constant { .. }))
 }
 

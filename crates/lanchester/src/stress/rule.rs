@@ -77,6 +77,20 @@ pub fn crank_rule(
     traces: &[TraceFile],
     request: &RuleRequest,
 ) -> Result<CrankRule, CrankRuleError> {
+    crank_rule_of_size(engine, traces, request, [1.0, 1.0])
+}
+
+/// The sheet of a similar engine: its lengths over those of `engine`, and the speed of `engine` over its own at which its pistons are as fast. Speeds of
+/// the request are those of `engine`; pressures over the crank angle are those at its own speed.
+///
+/// # Errors
+/// As [`crank_rule`].
+pub(crate) fn crank_rule_of_size(
+    engine: &Engine,
+    traces: &[TraceFile],
+    request: &RuleRequest,
+    [length, speed_of_original]: [f64; 2],
+) -> Result<CrankRule, CrankRuleError> {
     let material = engine.crank_material.unwrap_or_default();
     let tensile = material.tensile_strength();
     let mut needs = Vec::new();
@@ -88,7 +102,7 @@ pub fn crank_rule(
         });
     }
     let throws = match rule_throws(engine, request.crankshaft) {
-        Ok(throws) => throws,
+        Ok(throws) => throws.into_iter().map(|throw| throw.scaled(length)).collect(),
         Err(StrengthError::Needs { needs: others, .. }) => {
             needs.extend(others);
             Vec::new()
@@ -114,7 +128,7 @@ pub fn crank_rule(
     let (mut sheets, mut source) = (Vec::new(), None);
     for speed in speeds {
         let gas = match &engine.gas {
-            Some(_) if request.gas => Some(cylinder_gas(engine, traces, speed)?),
+            Some(_) if request.gas => Some(cylinder_gas(engine, traces, speed / speed_of_original)?),
             _ => None,
         };
         let cylinders = gas.as_ref().map(|gas| gas.cylinders.as_slice());
@@ -124,8 +138,11 @@ pub fn crank_rule(
         let count = (period / STEP).round() as usize;
         let theta: Vec<f64> = (0..count).map(|k| period * k as f64 / count as f64).collect();
         let over = throw_forces(engine, cylinders, &asked, request.crankshaft, &theta)?;
-        let loads: Vec<ThrowLoad> =
-            throws.iter().zip(&vibration).map(|(throw, extra)| load_of(throw, *extra, &over)).collect();
+        let loads: Vec<ThrowLoad> = throws
+            .iter()
+            .zip(&vibration)
+            .map(|(throw, extra)| load_of(throw, *extra, length, &over))
+            .collect();
         sheets.push(SpeedSheet { speed, throws: rule_sheet(&throws, &loads, numbers)? });
         source = gas.map(|gas| gas.source).or(source);
     }
@@ -143,11 +160,13 @@ pub fn crank_rule(
     })
 }
 
-fn load_of(throw: &RuleThrow, vibration: f64, over: &[Vec<ThrowForce>]) -> ThrowLoad {
+/// Forces grow with the square of the lengths.
+fn load_of(throw: &RuleThrow, vibration: f64, length: f64, over: &[Vec<ThrowForce>]) -> ThrowLoad {
+    let square = length * length;
     let own = || over.iter().filter_map(|forces| forces.iter().find(|force| force.throw == throw.throw));
     ThrowLoad {
-        radial: own().map(|force| force.radial).collect(),
-        tangential: own().map(|force| force.tangential).collect(),
+        radial: own().map(|force| square * force.radial).collect(),
+        tangential: own().map(|force| square * force.tangential).collect(),
         vibration,
     }
 }

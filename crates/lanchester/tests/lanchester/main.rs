@@ -14,6 +14,7 @@ mod corpus;
 mod crank_cycle;
 mod crosscheck;
 mod crosscheck_layouts;
+mod durability;
 mod fatigue;
 mod gallery;
 mod graph_report;

@@ -490,6 +490,8 @@ class Engine:
         optional: bool = False,
         max_optional: int | None = None,
         speed: Limits = (),
+        at_least: Limits = (),
+        maximise: Limits = (),
         gap: Quantity | None = None,
         max_nodes: int | None = None,
         time_limit: Quantity | None = None,
@@ -498,7 +500,7 @@ class Engine:
 
         Without arguments it is what the section ``[balance]`` of the file asks. `minimise`: objectives in order of priority, such as ``"force"`` or
         ``"couple"``; `limit`: ``"force = 100 N"``; `shaft`: ``"-1 @ 0 mm, 100 mm @ -30 mm, 30 mm"`` (ratio @ x, y of the axis @ planes); `cancel`:
-        ``"couple order 1"``. ``result.adopt()`` is the engine with what was found. That limits cannot be met is an outcome, not an exception.
+        ``"couple order 1"``; `at_least`: ``"main-bearing film = 2 um"`` and `maximise`: ``"least film"`` move weights by a local search after the proof. ``result.adopt()`` is the engine with what was found. That limits cannot be met is an outcome, not an exception.
 
         >>> from lanchester import Engine
         >>> twin = Engine.template("twin-360")
@@ -524,6 +526,8 @@ class Engine:
             "optional": optional,
             "max_optional": max_optional,
             "speed": speed,
+            "at_least": at_least,
+            "maximise": maximise,
             "gap": gap,
             "max_nodes": max_nodes,
             "time_limit": time_limit,
@@ -1092,10 +1096,12 @@ def compare(
     fluctuation: Quantity | None = None,
     arrangements: int | Sequence[int] = (),
     optimum: bool = False,
+    finite_elements: bool = False,
 ) -> Comparison:
     """Engines side by side: as they are, or as similar engines of one displacement or one power.
 
-    `reference`: index of the engine that the others are compared with; `arrangements`: numbers 1 to 9 of the twin thesis; `optimum`: each with its best weights too.
+    `reference`: index of the engine that the others are compared with; `arrangements`: numbers 1 to 9 of the twin thesis; `optimum`: each with its best weights too; `finite_elements`:
+    safeties of the fillets too, which takes from seconds to minutes an engine.
 
     >>> import lanchester
     >>> engines = [lanchester.Engine.template(name) for name in ("in-line-4", "boxer-4")]
@@ -1113,6 +1119,7 @@ def compare(
         "fluctuation": fluctuation,
         "arrangements": arrangements,
         "optimum": optimum,
+        "finite_elements": finite_elements,
     }
     answer = _native.ask_all("compare", [engine._native for engine in engines], options)
     return Comparison._made(answer, tuple(engines))

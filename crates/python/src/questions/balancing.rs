@@ -7,20 +7,22 @@ use crate::options::Options;
 use crate::prepared::Prepared;
 use crate::question::{How, Question, Run};
 use lanchester::balance::{
-    Answer, ArrangementRequest, Arrangements, BalanceSettings, Consequences, DriveRule, Judged, MountPlaces,
-    Next, Outcome, RobustAnswer, RobustMeasure, StopCause, Target, arrangements, fitted, searched_engine,
+    Answer, ArrangementRequest, Arrangements, BalanceSettings, Consequences, DriveRule, Durable, Judged,
+    MountPlaces, Next, Outcome, RobustAnswer, RobustMeasure, StopCause, Target, arrangements, fitted,
+    searched_engine,
 };
 use lanchester::mechanism::{LoadRequest, loads};
 use lanchester::model::Engine;
 use lanchester::report::{
     Figure, Table, arrangement_figure, arrangements_text, balance_text, cancellation_proof_table,
-    cancelled_orders_table, consequence_figures, consequences_table, effects_table, found_inertias_table,
-    found_shafts_table, found_weights_table, front_table, limits_table, optimum_figures, robust_text,
-    stages_table, web_bounds_table,
+    cancelled_orders_table, consequence_figures, consequences_table, durability_table, durability_text,
+    durable_weights_table, effects_table, found_inertias_table, found_shafts_table, found_weights_table,
+    front_table, limits_table, optimum_figures, robust_text, stages_table, web_bounds_table,
 };
 use lanchester::task::{BalanceTask, CrankWeightPlaces, TaskOptions, default_task, option};
 use lanchester::{
-    RobustOptions, WeightAsPart, consequences, optimise_on_webs, robust_balance_while, weights_as_parts,
+    DurableOptions, RobustOptions, WeightAsPart, consequences, durable_balance, optimise_on_webs,
+    robust_balance_while, weights_as_parts,
 };
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -44,6 +46,9 @@ struct Balance {
     /// What the weights do to block, bearings and bending, before and after.
     #[serde(skip_serializing_if = "Option::is_none")]
     consequences: Option<Consequences>,
+    /// Oil films and safeties before, at the optimum and after the search for them, where some are wanted.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    durability: Option<Durable>,
     /// What the user should know.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     warnings: Vec<String>,
@@ -55,7 +60,10 @@ impl Balance {
     }
 
     fn after(&self, engine: &Engine) -> Engine {
-        fitted(engine, &self.answer)
+        match &self.durability {
+            Some(durable) if durable.is_moved() => durable.engine(engine, &self.answer),
+            _ => fitted(engine, &self.answer),
+        }
     }
 }
 
@@ -82,6 +90,8 @@ fn task_options(options: &Options<'_>) -> Result<TaskOptions, Failure> {
         optional: options.flag("optional")?.unwrap_or(false),
         most_optional: options.whole("max_optional", 0, 1000)?.map(|most| most as usize),
         speeds: options.texts("speed")?,
+        at_least: options.texts("at_least")?,
+        maximise: options.texts("maximise")?,
     })
 }
 
@@ -111,7 +121,8 @@ fn read_balance(options: &Options<'_>) -> Result<Run, Failure> {
         let own = &engines[0];
         let engine = own.engine();
         let (task, mut warnings) = task_of(own, &asked)?;
-        let traces = if task.counts_gas() { own.traces()? } else { &[] };
+        let wants_films = !task.durability.is_empty();
+        let traces = if task.counts_gas() || wants_films { own.traces()? } else { &[] };
         let began = Instant::now();
         let next = |watch: &Watch| match watch.goes_on() {
             true => settings.next(began.elapsed().as_secs_f64()),
@@ -120,7 +131,18 @@ fn read_balance(options: &Options<'_>) -> Result<Run, Failure> {
         let shapes = own.file.tasks.shape_task.as_ref();
         let answer = optimise_on_webs(engine, Ok(traces), &task, shapes, &settings, &|_| next(watch));
         let answer = answer.map_err(Failure::refused)?;
-        let mut found = Balance { answer, as_parts: Vec::new(), consequences: None, warnings: Vec::new() };
+        let mut found = Balance {
+            answer,
+            as_parts: Vec::new(),
+            consequences: None,
+            durability: None,
+            warnings: Vec::new(),
+        };
+        if found.is_found() && wants_films && !found.answer.weights.is_empty() {
+            let options = DurableOptions { balance: settings, ..DurableOptions::default() };
+            let durable = durable_balance(&own.file, Ok(traces), &found.answer, &options, &|_| next(watch));
+            found.durability = Some(durable.map_err(Failure::refused)?);
+        }
         if found.is_found() {
             let after = found.after(engine);
             if !found.answer.weights.is_empty() {
@@ -143,7 +165,11 @@ fn read_balance(options: &Options<'_>) -> Result<Run, Failure> {
 
 fn text(found: &Balance, engine: &Engine) -> String {
     let summary = loads(&found.after(engine), &LoadRequest::default()).map(|loads| loads.diagnosis.summary);
-    balance_text(engine, &found.answer, found.consequences.as_ref(), &summary.unwrap_or_default())
+    let text = balance_text(engine, &found.answer, found.consequences.as_ref(), &summary.unwrap_or_default());
+    match &found.durability {
+        Some(durable) => format!("{text}\n{}", durability_text(engine, durable)),
+        None => text,
+    }
 }
 
 fn tables(found: &Balance, engine: &Engine) -> Vec<Table> {
@@ -160,6 +186,10 @@ fn tables(found: &Balance, engine: &Engine) -> Vec<Table> {
         tables.extend(cancellation_proof_table(engine, cancellation));
     }
     tables.extend(found.consequences.as_ref().map(consequences_table));
+    if let Some(durable) = &found.durability {
+        tables.push(durability_table(durable));
+        tables.extend(durable_weights_table(engine, durable));
+    }
     tables
 }
 

@@ -60,6 +60,7 @@ fn read_compare(options: &Options<'_>) -> Result<Run, Failure> {
         share: options.share("share")?.unwrap_or(1.0),
         mount_spacing: options.length("mount_spacing")?,
         fluctuation: options.share("fluctuation")?,
+        finite_elements: options.flag("finite_elements")?.unwrap_or(false),
     };
     let numbers = options.wholes("arrangements", 1, 9)?;
     let arrangements = numbers.into_iter().filter_map(|number| TwinArrangement::from_number(number as usize));

@@ -1,5 +1,6 @@
 //! Pictures of the oil films: orbits in their clearances, film over the crank angle, least film over speed.
 
+use crate::bearings::film_map::film_maps;
 use crate::bearings::film_name::bearing_name;
 use crate::kit::figure::{Figure, Panel};
 use crate::kit::plot::{AnglePlot, Series};
@@ -22,13 +23,17 @@ const ALIKE: f64 = 0.01;
 /// Films of one bearing by its models of cavitation.
 type OneBearing<'a> = Vec<&'a BearingFilm>;
 
-/// Orbits of all journals, and their films over the crank angle; `period` of the crank angle [rad].
+/// Orbits of all journals, their films unrolled, and over the crank angle; `period` of the crank angle [rad].
 pub fn film_figures(period: f64, films: &[BearingFilm]) -> Vec<Figure> {
     let bearings = by_bearing(films);
     if bearings.is_empty() {
         return Vec::new();
     }
-    vec![orbits(&alike(&bearings)), thickness(period, &bearings)]
+    let alike = alike(&bearings);
+    // One model of cavitation says where the film is thin.
+    let first: Vec<(String, &BearingFilm)> =
+        alike.iter().map(|(names, films)| (names.clone(), films[0])).collect();
+    vec![orbits(&alike), film_maps(period, &first), thickness(period, &bearings)]
 }
 
 /// Least film of every bearing over speed: by speed [rad/s] the same films in the same order. None for a single speed.
@@ -288,7 +293,8 @@ mod tests {
         let wide = JournalBearing::new(0.024, 0.02, 3e-5).expect("plausible");
         let other = BearingFilm { number: 2, bearing: wide, ..film.clone() };
         assert_eq!(film_figures(TAU, &[film.clone(), other])[0].panels.len(), 2);
-        assert_eq!(figures[1].panels.len(), 1);
+        assert_eq!((figures[1].panels.len(), figures[2].panels.len()), (1, 1));
+        crate::bearings::film_map::tests::check(&film);
         assert!(film_figures(TAU, &[]).is_empty());
         assert!(films_over_speed_figure(&[(1.0, std::slice::from_ref(&film))]).is_none());
         let over = films_over_speed_figure(&[(1.0, std::slice::from_ref(&film)), (2.0, &[second])])

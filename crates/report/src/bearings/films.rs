@@ -9,6 +9,12 @@ use crate::kit::table::{Table, numbers, words};
 use lanchester_film::{BearingFilm, BearingKind, OrbitOutcome};
 use std::f64::consts::PI;
 
+/// Rise of temperature that no oil survives [K].
+const HOT: f64 = 200.0;
+
+/// Composite roughness of well run-in bearings [m]: a film below it, where the file gives none, is no film.
+const ROUGH: f64 = 0.3e-6;
+
 /// Least film, pressure, friction, flow and temperature of every bearing.
 pub fn films_table(films: &[BearingFilm]) -> Table {
     let state = |film: &BearingFilm| match film.orbit.outcome {
@@ -17,6 +23,10 @@ pub fn films_table(films: &[BearingFilm]) -> Table {
         OrbitOutcome::NotPeriodic => "not periodic",
         OrbitOutcome::Periodic if film.orbit.least_film < film.roughness => "below roughness",
         OrbitOutcome::Periodic if !film.heat_balanced => "no heat balance",
+        OrbitOutcome::Periodic if film.temperature_rise > HOT => "rise beyond any oil",
+        OrbitOutcome::Periodic if film.roughness == 0.0 && film.orbit.least_film < ROUGH => {
+            "thinner than surfaces are rough"
+        }
         OrbitOutcome::Periodic => "",
     };
     let column = |header, unit, digits, value: fn(&BearingFilm) -> f64| {

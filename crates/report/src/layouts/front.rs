@@ -5,6 +5,7 @@ use crate::kit::table::{Cell, Column, Table, column_cells, words};
 use lanchester_study::explore::{
     Choice, ExploreAnswer, FoundLayout, GivenEngine, JudgedBy, Objective, Removes, Sense,
 };
+use lanchester_task::Measured;
 use std::f64::consts::TAU;
 
 /// Loads [N], [N m] below this are rounding.
@@ -137,6 +138,15 @@ fn table(id: &'static str, title: String, answer: &ExploreAnswer, layouts: &[Fou
         let values = layouts.iter().map(|layout| layout.unevenness.unwrap_or(f64::NAN).to_degrees());
         columns.push((Column::numbers("uneven firing", "deg"), column_cells(values, 4, NOISE)));
     }
+    for (place, criterion) in answer.durability.iter().enumerate() {
+        let (factor, unit) = if criterion.is_film() { (1e6, "um") } else { (1.0, "") };
+        let value = |layout: &FoundLayout| layout.durability.get(place).and_then(Measured::value);
+        let mut known =
+            column_cells(layouts.iter().filter_map(value).map(|value| factor * value), 4, NOISE).into_iter();
+        let cells =
+            layouts.iter().map(|layout| value(layout).and_then(|_| known.next()).unwrap_or(Cell::Empty));
+        columns.push((Column::numbers(criterion.title(), unit), cells.collect()));
+    }
     let alike = layouts.iter().map(|layout| number(layout.alike as f64)).collect();
     columns.push((Column::numbers("alike", ""), alike));
     Table::of_columns(id, title, "", columns)
@@ -197,6 +207,27 @@ pub fn layout_search_words(answer: &ExploreAnswer) -> String {
     }
     for note in &answer.notes {
         out += &format!("Note: {note}.\n");
+    }
+    for limit in &answer.at_least {
+        out += &format!("Layouts of front and ranking hold: {limit}.\n");
+    }
+    if !answer.at_least.is_empty() && answer.front.is_empty() && answer.counts.judged > 0 {
+        out += "No layout that was judged holds that: the front is empty.\n";
+    }
+    out + &unmeasured_words(answer)
+}
+
+/// Why films and safeties of the first layout that lacks one are not known.
+fn unmeasured_words(answer: &ExploreAnswer) -> String {
+    let mut out = String::new();
+    for (place, criterion) in answer.durability.iter().enumerate() {
+        let unknown = answer.front.iter().find_map(|found| match found.durability.get(place) {
+            Some(Measured::Unknown(why)) => Some((found.number, why)),
+            _ => None,
+        });
+        if let Some((number, why)) = unknown {
+            out += &format!("No {} of layout {number}: {}; {}.\n", criterion.title(), why.reason, why.remedy);
+        }
     }
     out
 }

@@ -6,6 +6,7 @@ use crate::kit::number::{self, Scale};
 use crate::kit::svg::{Anchor, Svg, text_width, wrap};
 use crate::kit::table::{Cell, Column, Table, column_cells, numbers, words};
 use lanchester_study::compare::{Compared, Comparison, Criterion, Equal, Held, Leading, Place, Ranking};
+use lanchester_task::Measured;
 
 /// What an engine is called beside the others: its name, what it got, or both.
 fn label(comparison: &Comparison, index: usize) -> String {
@@ -50,7 +51,9 @@ fn crank_table(comparison: &Comparison) -> Option<Table> {
     }
     let note = "Main load: the largest of inertia on any main bearing, throw by throw. Bending: of the crankshaft as a free beam \
                 under what turns with it. Balance rate: share of the rotating unbalance between two main bearings that the \
-                counterweights there answer.";
+                counterweights there answer. Films: the smallest of any main or big-end bearing over the cycle, at the lowest speed and at \
+                that of the comparison, quasi-static; safety UR M53: the smallest of any fillet or oil bore by the formulas after the rule, which \
+                counterweights do not change.";
     let columns = numbered(comparison).into_iter().chain(of_crank).collect();
     Some(Table::of_columns("crank", "Inside the crankshaft", note, columns))
 }
@@ -60,11 +63,49 @@ fn crank_columns(comparison: &Comparison) -> Vec<(Column, Vec<Cell>)> {
     let mut columns: Vec<(Column, Vec<Cell>)> = Vec::new();
     columns.extend(optional(engines, &|e| e.main_load, "main load", "N", 4));
     columns.extend(optional(engines, &|e| e.bending_moment, "bending", "N m", 4));
+    let film = |measured: &Measured| measured.value().map(|film| 1e6 * film);
+    columns.extend(optional(engines, &|e| film(&e.main_film), "main film", "um", 4));
+    columns.extend(optional(engines, &|e| film(&e.crankpin_film), "crankpin film", "um", 4));
+    columns.extend(optional(engines, &|e| e.rule_safety.value(), "safety UR M53", "", 4));
+    let fillet = |engine: &Compared| engine.fillet_safety.as_ref().and_then(Measured::value);
+    columns.extend(optional(engines, &fillet, "safety FE", "", 4));
     if engines.iter().any(|engine| engine.balance_rate.is_some()) {
         let rate = |engine: &Compared| engine.balance_rate.map_or_else(String::new, rate_words);
         columns.push(words("balance rate [%]", engines.iter().map(rate)));
     }
     columns
+}
+
+/// Why films and safeties of some engines are not known, and what would give them; empty where all are.
+pub fn unmeasured_words(comparison: &Comparison) -> Vec<String> {
+    let mut lines: Vec<(String, Vec<&'static str>, Vec<usize>)> = Vec::new();
+    for (index, engine) in comparison.engines.iter().enumerate() {
+        let all = [
+            ("main-bearing film", Some(&engine.main_film)),
+            ("crankpin film", Some(&engine.crankpin_film)),
+            ("safety after UR M53", Some(&engine.rule_safety)),
+            ("fillet safety", engine.fillet_safety.as_ref()),
+        ];
+        for (name, measured) in all {
+            let Some(Measured::Unknown(why)) = measured else { continue };
+            let words = format!("{}; {}", why.reason, why.remedy);
+            match lines.iter_mut().find(|line| line.0 == words) {
+                Some((_, names, engines)) => {
+                    if !names.contains(&name) {
+                        names.push(name);
+                    }
+                    if !engines.contains(&(index + 1)) {
+                        engines.push(index + 1);
+                    }
+                }
+                None => lines.push((words, vec![name], vec![index + 1])),
+            }
+        }
+    }
+    let line = |(words, names, engines): (String, Vec<&str>, Vec<usize>)| {
+        format!("No {} of no. {}: {words}", names.join(", "), number::list(&engines))
+    };
+    lines.into_iter().map(line).collect()
 }
 
 /// A column that not every engine has; `None` where none has it.
@@ -209,6 +250,8 @@ fn level_words(comparison: &Comparison, criterion: Criterion, level: &[Place]) -
             format!("{} %", terminal(100.0 * first.value, 3))
         }
         Criterion::AddedUnbalance => format!("{} kg mm", terminal(1e3 * first.value, 4)),
+        Criterion::MainFilm | Criterion::CrankpinFilm => format!("{} um", terminal(1e6 * first.value, 4)),
+        Criterion::RuleSafety | Criterion::FilletSafety => terminal(first.value, 4),
         _ => format!("{} {}", terminal(first.value, 4), criterion.unit()),
     };
     let reason = |place: &Place| {
@@ -256,6 +299,10 @@ pub fn comparison_text(comparison: &Comparison) -> String {
         out.push('\n');
         out += &table.text();
     }
+    let unmeasured = unmeasured_words(comparison);
+    if !unmeasured.is_empty() {
+        out += &format!("\n{}\n", unmeasured.join("\n"));
+    }
     let ranking = ranking_words(comparison);
     if !ranking.is_empty() {
         out += "\nThe order, best first\n";
@@ -288,7 +335,7 @@ pub fn comparison_figure(comparison: &Comparison) -> Figure {
         id: "comparison".to_owned(),
         title: "Engines side by side".to_owned(),
         caption: format!(
-            "{} Shorter is better; the dashed line is {}{}.",
+            "{} Shorter is better, but of films and safeties; the dashed line is {}{}.",
             equal_words(comparison),
             share_words(comparison),
             label(comparison, comparison.reference)
@@ -306,7 +353,10 @@ fn bars(comparison: &Comparison, criterion: Criterion) -> Panel {
     let scale = match criterion {
         _ if is_share => Scale { divisor: 0.01, unit: "%".to_owned() },
         Criterion::AddedUnbalance => Scale { divisor: 1e-3, unit: "kg mm".to_owned() },
-        Criterion::Flywheel | Criterion::Shafts => Scale { divisor: 1.0, unit: criterion.unit().to_owned() },
+        Criterion::MainFilm | Criterion::CrankpinFilm => Scale { divisor: 1e-6, unit: "um".to_owned() },
+        Criterion::Flywheel | Criterion::Shafts | Criterion::RuleSafety | Criterion::FilletSafety => {
+            Scale { divisor: 1.0, unit: criterion.unit().to_owned() }
+        }
         _ => Scale::of(largest, criterion.unit()),
     };
     let axis = Axis::of(0.0, largest / scale.divisor, 4);
@@ -362,7 +412,15 @@ fn shortened(name: &str) -> Vec<String> {
 mod tests {
     use super::*;
     use lanchester_study::compare::{COMPARISON_VERSION, Similar};
+    use lanchester_task::Unmeasured;
     use std::f64::consts::PI;
+
+    fn unknown() -> Measured {
+        Measured::Unknown(Unmeasured {
+            reason: "the oil is not given".into(),
+            remedy: "give viscosity".into(),
+        })
+    }
 
     fn engine(name: &str, force: f64, shafts: usize) -> Compared {
         Compared {
@@ -378,6 +436,10 @@ mod tests {
             roll_moment: 3.0,
             mount_force: None,
             main_load: None,
+            main_film: unknown(),
+            crankpin_film: unknown(),
+            rule_safety: unknown(),
+            fillet_safety: None,
             bending_moment: None,
             balance_rate: None,
             firing_unevenness: (shafts > 0).then_some(0.5),
@@ -418,6 +480,22 @@ mod tests {
         assert_eq!(words[0].lines[2], "3. 5000 N: mostly order 2, both ways alike (no. 1, four)");
         // Nobody has a couple, all have one roll moment, and one does not say how it fires.
         assert_eq!(words.len(), 2, "{words:?}");
+    }
+
+    #[test]
+    fn what_is_not_known_is_told_once_with_what_gives_it() {
+        let mut comparison = comparison();
+        comparison.engines[1].rule_safety =
+            Measured::Known { value: 1.4, place: "pin 1 at web 1".into(), speed: 600.0 };
+        let lines = unmeasured_words(&comparison);
+        assert_eq!(
+            lines,
+            [
+                "No main-bearing film, crankpin film, safety after UR M53 of no. 1, 2 and 3: the oil is not given; give viscosity"
+            ]
+        );
+        let text = comparison_text(&comparison);
+        assert!(text.contains("safety UR M53") && !text.contains("main film"), "{text}");
     }
 
     #[test]

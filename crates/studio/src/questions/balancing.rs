@@ -12,12 +12,15 @@ use lanchester::balance::{
 use lanchester::file::{EngineFile, write_back};
 use lanchester::mechanism::{LoadRequest, Loads, loads};
 use lanchester::model::Engine;
-use lanchester::report::{consequence_words, headline, robust_text};
+use lanchester::report::{consequence_words, durability_text, headline, robust_text};
 use lanchester::task::{
     BalanceTask, ChangedTask, CrankWeightPlaces, FreeShaft, FreeWeight, Place, RoomFault, Seat, TaskOptions,
     crank_weights, default_task, option,
 };
-use lanchester::{RobustError, RobustOptions, WebBoundError, optimise_on_webs, robust_balance_while};
+use lanchester::{
+    DurableOptions, RobustError, RobustOptions, WebBoundError, durable_balance, optimise_on_webs,
+    robust_balance_while,
+};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::time::Instant;
@@ -43,6 +46,12 @@ struct BalanceQuestion {
     /// Limits as `--limit` takes them.
     #[serde(default)]
     limits: Vec<String>,
+    /// Oil films and safeties that must not fall below a value, as `--at-least` takes them.
+    #[serde(default)]
+    at_least: Vec<String>,
+    /// Oil films and safeties that are to be large, as `--maximise` takes them.
+    #[serde(default)]
+    maximise: Vec<String>,
     /// Orders that must vanish, as `--cancel` takes them.
     #[serde(default)]
     cancel: Vec<String>,
@@ -121,6 +130,8 @@ struct BalanceAnswer {
     effect: Option<WeightEffect>,
     /// What drawn engines have of it, in words; none without `robust`.
     robust: Option<String>,
+    /// Oil films and safeties before, at the optimum and after the search for them, in words; none where none is wanted.
+    durability: Option<String>,
     /// Added shafts that may strike the crank or stand far out.
     warnings: Vec<Warning>,
 }
@@ -212,8 +223,14 @@ fn effect(_: &Asker, question: TwoTexts) -> Result<WeightEffect, Problem> {
 }
 
 fn balanced(asker: &Asker, question: BalanceQuestion) -> Result<BalanceAnswer, Problem> {
-    let EngineFile { engine, tasks } = engine_file(&question.text)?;
+    let file = engine_file(&question.text)?;
+    let EngineFile { engine, tasks } = file.clone();
     let ChangedTask { task, warnings } = task(&engine, tasks.balance, &question)?;
+    if wants_robust_films(&task, &question) {
+        return Err(Problem::refused(
+            "films and safeties do not go with drawn engines, for which one load is minimised\nhint: leave one of the two out",
+        ));
+    }
     let warning = |fault: RoomFault| Warning { message: fault.message, hint: fault.hint.into() };
     let warnings = warnings.into_iter().map(warning).collect();
     let settings = settings(&question)?;
@@ -222,7 +239,8 @@ fn balanced(asker: &Asker, question: BalanceQuestion) -> Result<BalanceAnswer, P
         true => settings.next(began.elapsed().as_secs_f64()),
         false => Next::Abandon,
     };
-    let traces = match task.counts_gas() {
+    let wants_films = !task.durability.is_empty();
+    let traces = match task.counts_gas() || wants_films {
         true => asker.studio.folder.traces(&engine)?,
         false => Vec::new(),
     };
@@ -256,17 +274,43 @@ fn balanced(asker: &Asker, question: BalanceQuestion) -> Result<BalanceAnswer, P
             after: None,
             effect: None,
             robust,
+            durability: None,
             warnings,
         });
     }
-    let best = fitted(&engine, &answer);
+    let durable = match wants_films && !answer.weights.is_empty() {
+        true => {
+            let options = DurableOptions { balance: settings, ..DurableOptions::default() };
+            let watch = |_: usize| match asker.waits() {
+                true => settings.next(began.elapsed().as_secs_f64()),
+                false => Next::Abandon,
+            };
+            let found = durable_balance(&file, Ok(&traces), &answer, &options, &watch);
+            Some(found.map_err(|error| match error {
+                BalanceError::BrokenOff => superseded(),
+                error => Problem::refused(error),
+            })?)
+        }
+        false => None,
+    };
+    let best = match &durable {
+        Some(durable) if durable.is_moved() => durable.engine(&engine, &answer),
+        _ => fitted(&engine, &answer),
+    };
+    let durability = durable.map(|found| durability_text(&engine, &found));
     let after = loads(&best, &LoadRequest::default()).map_err(Problem::refused)?;
     let text = write_back(&question.text, &best).map_err(Problem::refused)?;
     let effect = match answer.weights.is_empty() {
         true => None,
         false => Some(WeightEffect::of(&engine, &best, Some(&answer.task))?),
     };
-    Ok(BalanceAnswer { answer, headline, text: Some(text), after: Some(after), effect, robust, warnings })
+    let (text, after) = (Some(text), Some(after));
+    Ok(BalanceAnswer { answer, headline, text, after, effect, robust, durability, warnings })
+}
+
+/// Whether films are wanted of engines that are drawn.
+fn wants_robust_films(task: &BalanceTask, question: &BalanceQuestion) -> bool {
+    question.robust.is_some() && !task.durability.is_empty()
 }
 
 /// How far a search over choices goes.
@@ -339,6 +383,8 @@ fn task(
         shafts: question.shafts.clone(),
         minimise: question.minimise.clone(),
         limits: question.limits.clone(),
+        at_least: question.at_least.clone(),
+        maximise: question.maximise.clone(),
         give_up: question.give_up.clone(),
         cancel: question.cancel.clone(),
         least: question.least.clone(),

@@ -1,6 +1,7 @@
 //! What a comparison tells of every engine.
 
 use crate::compare::similar::Similar;
+use lanchester_task::Measured;
 use serde::Serialize;
 
 /// One engine of a comparison, in the size in which it is compared.
@@ -31,6 +32,15 @@ pub struct Compared {
     pub mount_force: Option<f64>,
     /// Largest load of inertia on any main bearing over the cycle, throw by throw [N]; `None` for crankshafts without throws.
     pub main_load: Option<f64>,
+    /// Smallest oil film of any main bearing over the cycle [m], the smaller of that at the lowest speed and at the speed of the comparison.
+    pub main_film: Measured,
+    /// The same of any big-end bearing [m].
+    pub crankpin_film: Measured,
+    /// Smallest safety of any fillet or oil bore by the formulas after UR M53 [1], at these speeds.
+    pub rule_safety: Measured,
+    /// Smallest safety of any fillet by finite elements [1], where it is asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub fillet_safety: Option<Measured>,
     /// Largest bending moment along any crankshaft as a free beam under what turns with it [N m].
     pub bending_moment: Option<f64>,
     /// Least and largest balance rate of any bay: share of the rotating unbalance between two main bearings that the counterweights

@@ -1,9 +1,10 @@
 //! The order of the engines by one criterion.
 
 use crate::compare::compared::Compared;
+use lanchester_task::Measured;
 use serde::Serialize;
 
-/// What engines are compared by: less is better.
+/// What engines are compared by: less is better, but of films and safeties.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
 #[schemars(rename = "RankingCriterion")]
 #[serde(rename_all = "kebab-case")]
@@ -26,6 +27,14 @@ pub enum Criterion {
     AddedUnbalance,
     /// Number of balance shafts.
     Shafts,
+    /// Smallest oil film of any main bearing [m]: more is better.
+    MainFilm,
+    /// Smallest oil film of any big-end bearing [m]: more is better.
+    CrankpinFilm,
+    /// Smallest safety after UR M53: more is better.
+    RuleSafety,
+    /// Smallest safety of any fillet by finite elements: more is better.
+    FilletSafety,
 }
 
 /// The engines by one criterion, best first.
@@ -54,7 +63,7 @@ const SAME: f64 = 1e-6;
 
 impl Criterion {
     /// All of them.
-    pub const ALL: [Criterion; 9] = [
+    pub const ALL: [Criterion; 13] = [
         Criterion::Force,
         Criterion::Couple,
         Criterion::RollMoment,
@@ -64,6 +73,10 @@ impl Criterion {
         Criterion::Flywheel,
         Criterion::AddedUnbalance,
         Criterion::Shafts,
+        Criterion::MainFilm,
+        Criterion::CrankpinFilm,
+        Criterion::RuleSafety,
+        Criterion::FilletSafety,
     ];
 
     /// Its name for tables.
@@ -78,6 +91,10 @@ impl Criterion {
             Criterion::Flywheel => "flywheel",
             Criterion::AddedUnbalance => "added unbalance",
             Criterion::Shafts => "balance shafts",
+            Criterion::MainFilm => "main-bearing film",
+            Criterion::CrankpinFilm => "crankpin film",
+            Criterion::RuleSafety => "safety after UR M53",
+            Criterion::FilletSafety => "fillet safety",
         }
     }
 
@@ -88,13 +105,26 @@ impl Criterion {
             Criterion::Couple | Criterion::RollMoment => "N m",
             Criterion::Flywheel => "kg m2",
             Criterion::AddedUnbalance => "kg m",
-            Criterion::FiringUnevenness | Criterion::TorqueUnevenness | Criterion::Shafts => "",
+            Criterion::MainFilm | Criterion::CrankpinFilm => "m",
+            Criterion::FiringUnevenness
+            | Criterion::TorqueUnevenness
+            | Criterion::Shafts
+            | Criterion::RuleSafety
+            | Criterion::FilletSafety => "",
         }
     }
 
     /// Whether twice the engine has twice of it: a share of the reference has that share. How uneven an engine is has no size.
     pub fn is_of_size(self) -> bool {
-        !matches!(self, Criterion::FiringUnevenness | Criterion::TorqueUnevenness)
+        !matches!(self, Criterion::FiringUnevenness | Criterion::TorqueUnevenness) && !self.more_is_better()
+    }
+
+    /// Whether the first is the one with the most.
+    pub fn more_is_better(self) -> bool {
+        matches!(
+            self,
+            Criterion::MainFilm | Criterion::CrankpinFilm | Criterion::RuleSafety | Criterion::FilletSafety
+        )
     }
 
     /// What an engine has of it, in its unit; `None` where it is not known.
@@ -109,6 +139,10 @@ impl Criterion {
             Criterion::Flywheel => engine.torque.and_then(|torque| torque.flywheel),
             Criterion::AddedUnbalance => Some(engine.counterweights + engine.shaft_weights),
             Criterion::Shafts => Some(engine.shafts as f64),
+            Criterion::MainFilm => engine.main_film.value(),
+            Criterion::CrankpinFilm => engine.crankpin_film.value(),
+            Criterion::RuleSafety => engine.rule_safety.value(),
+            Criterion::FilletSafety => engine.fillet_safety.as_ref().and_then(Measured::value),
         }
     }
 }
@@ -120,11 +154,12 @@ impl Ranking {
         let largest = values.iter().fold(0.0f64, |largest, value| largest.max(value.abs()));
         let mut places: Vec<Place> =
             values.iter().enumerate().map(|(engine, &value)| Place { engine, rank: 1, value }).collect();
-        places.sort_by(|a, b| a.value.total_cmp(&b.value).then(a.engine.cmp(&b.engine)));
+        let sense = if criterion.more_is_better() { -1.0 } else { 1.0 };
+        places.sort_by(|a, b| (sense * a.value).total_cmp(&(sense * b.value)).then(a.engine.cmp(&b.engine)));
         // A rank is that of the first engine from which it cannot be told.
         let mut first = 0;
         for k in 0..places.len() {
-            if places[k].value - places[first].value > SAME * largest {
+            if sense * (places[k].value - places[first].value) > SAME * largest {
                 first = k;
             }
             places[k].rank = first + 1;
@@ -137,6 +172,11 @@ impl Ranking {
 mod tests {
     use super::*;
     use crate::compare::similar::Similar;
+    use lanchester_task::Unmeasured;
+
+    fn unknown() -> Measured {
+        Measured::Unknown(Unmeasured { reason: "no oil".into(), remedy: "give it".into() })
+    }
 
     fn engine(force: f64, firing: Option<f64>) -> Compared {
         Compared {
@@ -152,6 +192,10 @@ mod tests {
             roll_moment: 0.0,
             mount_force: None,
             main_load: None,
+            main_film: unknown(),
+            crankpin_film: unknown(),
+            rule_safety: unknown(),
+            fillet_safety: None,
             bending_moment: None,
             balance_rate: None,
             firing_unevenness: firing,
@@ -171,6 +215,21 @@ mod tests {
         assert_eq!(order, [(1, 1), (2, 1), (3, 3), (0, 4)]);
         let couples = Ranking::of(Criterion::Couple, &engines).unwrap();
         assert!(couples.places.iter().all(|place| place.rank == 1));
+    }
+
+    #[test]
+    fn of_films_the_thickest_comes_first() {
+        let film = |value| Measured::Known { value, place: String::new(), speed: 1.0 };
+        let mut engines = [engine(1.0, None), engine(1.0, None), engine(1.0, None)];
+        for (engine, value) in engines.iter_mut().zip([2e-6, 5e-6, 2e-6]) {
+            engine.main_film = film(value);
+        }
+        let ranking = Ranking::of(Criterion::MainFilm, &engines).unwrap();
+        let order: Vec<(usize, usize)> = ranking.places.iter().map(|p| (p.engine, p.rank)).collect();
+        assert_eq!(order, [(1, 1), (0, 2), (2, 2)]);
+        // What is not known is no film of 0: it ranks nobody.
+        engines[0].main_film = unknown();
+        assert!(Ranking::of(Criterion::MainFilm, &engines).is_none());
     }
 
     #[test]

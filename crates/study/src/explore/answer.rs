@@ -8,6 +8,7 @@ use crate::explore::layout_orders::LayoutOrders;
 use crate::explore::objective::Objective;
 use crate::explore::sample::JudgedCase;
 use crate::explore::space::ChoiceCount;
+use lanchester_task::{AtLeast, DurabilityCriterion, Measured};
 use serde::Serialize;
 
 /// What a search found.
@@ -41,6 +42,12 @@ pub struct ExploreAnswer {
     pub ranking: Vec<FoundLayout>,
     /// Some of the judged cases, evenly from all of them: what the front is the edge of.
     pub sample: Vec<JudgedCase>,
+    /// Films and safeties that are told of the layouts found.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub durability: Vec<DurabilityCriterion>,
+    /// What the layouts found hold of them, in words: a limit that was judged for layouts alone that no other covers.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub at_least: Vec<String>,
     /// Where the engine of the file stands, with its own weights and shafts.
     pub given: Option<GivenEngine>,
 }
@@ -73,6 +80,9 @@ pub struct FoundLayout {
     pub unevenness: Option<f64>,
     /// All its loads of orders 1 and 2.
     pub orders: LayoutOrders,
+    /// Films and safeties, in the order of [`ExploreAnswer::durability`]; empty where they were not asked for.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub durability: Vec<Measured>,
 }
 
 /// Where an engine stands in a search.
@@ -117,6 +127,7 @@ impl Explorer {
                         unevenness: layout.unevenness(request.space.parts.strokes),
                         orders: self.orders(candidate.case)?,
                         layout,
+                        durability: Vec::new(),
                     })
                 })
                 .collect::<Result<Vec<_>, ExploreError>>()
@@ -138,7 +149,32 @@ impl Explorer {
             front: found(&exploration.front)?,
             ranking: found(&exploration.ranking)?,
             sample: exploration.sample.clone(),
+            durability: Vec::new(),
+            at_least: request.at_least.iter().map(limit_words).collect(),
             given: None,
         })
     }
+
+    /// Tells films and safeties of the first layouts of front and ranking.
+    ///
+    /// # Errors
+    /// [`ExploreError`] where nobody tells them, or more are asked for than may be.
+    pub fn tell_durability(
+        &self,
+        answer: &mut ExploreAnswer,
+        criteria: &[DurabilityCriterion],
+        most: usize,
+    ) -> Result<(), ExploreError> {
+        answer.durability = criteria.to_vec();
+        for found in answer.front.iter_mut().take(most).chain(answer.ranking.iter_mut().take(most)) {
+            found.durability = self.durability(found.layout.case, criteria)?;
+        }
+        Ok(())
+    }
+}
+
+/// "main-bearing film at least 2 um".
+fn limit_words(limit: &AtLeast) -> String {
+    let (factor, unit) = if limit.criterion.is_film() { (1e6, " um") } else { (1.0, "") };
+    format!("{} at least {}{unit}", limit.criterion.title(), (factor * limit.least * 1e6).round() / 1e6)
 }

@@ -108,6 +108,19 @@ pub enum ExploreError {
         /// Why.
         reason: &'static str,
     },
+    /// More layouts whose films or safeties would have to be computed than may be.
+    #[error(
+        "films and safeties of more than {most} layouts would have to be computed\nhint: search a smaller space, ask for other limits first, or allow more"
+    )]
+    TooManyMeasured {
+        /// Most that may be measured.
+        most: u64,
+    },
+    /// A limit on films or safeties where nobody tells them.
+    #[error(
+        "a limit on oil films or safeties needs the engine whose bearings the layouts have, got a search without one"
+    )]
+    NoMeter,
     /// The parts make no engine whose loads can be computed.
     #[error(transparent)]
     Load(#[from] LoadError),

@@ -8,11 +8,13 @@ use crate::explore::firing::Firing;
 use crate::explore::front::{Front, Ranking};
 use crate::explore::kernel::{Block, UnitCylinder};
 use crate::explore::layout::{BankPair, Layout};
+use crate::explore::layout_meter::LayoutMeter;
 use crate::explore::layout_orders::LayoutOrders;
 use crate::explore::objective::{Level, Objective};
 use crate::explore::sample::{JudgedCase, Sample};
 use crate::explore::space::{Banks, Space, same_angle};
 use crate::explore::symmetry::DifferenceTable;
+use lanchester_task::AtLeast;
 use serde::{Deserialize, Serialize};
 use std::cmp::Ordering;
 use std::f64::consts::TAU;
@@ -29,6 +31,9 @@ pub struct ExploreRequest {
     pub objectives: Vec<Objective>,
     /// What they must hold.
     pub constraints: Vec<Constraint>,
+    /// Films and safeties that layouts on the front and in the ranking must hold. They are computed for layouts alone that no other covers.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub at_least: Vec<AtLeast>,
     /// Most cases that may be looked at.
     pub most_cases: u128,
     /// Most layouts on the front.
@@ -47,6 +52,7 @@ impl ExploreRequest {
             space,
             objectives,
             constraints,
+            at_least: Vec::new(),
             most_cases: 1_000_000_000_000,
             most_on_front: 100_000,
             most_listed: 20,
@@ -140,6 +146,8 @@ pub struct Explorer {
     pub(crate) resolutions: Vec<f64>,
     /// Whether firing is part of the search.
     pub(crate) fires: bool,
+    /// Who tells films and safeties, if anybody does.
+    pub(crate) meter: Option<LayoutMeter>,
 }
 
 impl Explorer {
@@ -184,6 +192,7 @@ impl Explorer {
             digit,
             resolutions: resolutions(&request),
             fires: space.firing,
+            meter: None,
             request,
         };
         Ok(explorer)

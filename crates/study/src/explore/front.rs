@@ -37,6 +37,11 @@ impl Front {
         Front { candidates, steps }
     }
 
+    /// Whether a case of the front is better in one objective and no worse in any.
+    pub fn covers(&self, steps: &[i64]) -> bool {
+        self.steps.chunks_exact(steps.len()).any(|kept| covers(kept, steps) && kept != steps)
+    }
+
     /// Offers a case.
     ///
     /// # Errors
@@ -131,6 +136,12 @@ impl Ranking {
     /// Offers all of another ranking.
     pub fn merge(&mut self, other: Vec<Candidate>) {
         other.iter().for_each(|c| self.offer(c.case, &c.steps, &c.values, c.alike));
+    }
+
+    /// Whether a case would be among the first.
+    pub fn takes(&self, steps: &[i64]) -> bool {
+        self.candidates.len() < self.most
+            || self.candidates.last().is_some_and(|last| last.steps.as_slice() >= steps)
     }
 
     pub fn into_candidates(self) -> Vec<Candidate> {

@@ -293,6 +293,13 @@ impl<'a> Walk<'a> {
         for (place, value) in self.values.iter().enumerate() {
             self.steps[place] = (value / self.explorer.resolutions[place]).round() as i64;
         }
+        let limits = &self.explorer.request.at_least;
+        if !limits.is_empty() {
+            let is_covered = self.front.covers(&self.steps) && !self.ranking.takes(&self.steps);
+            if is_covered || !self.explorer.is_durable(case, limits)? {
+                return Ok(());
+            }
+        }
         self.ranking.offer(case, &self.steps, &self.values, 1);
         self.front.offer(case, &self.steps, &self.values, 1, self.explorer.request.most_on_front)
     }

@@ -58,10 +58,19 @@ pub(super) fn unknown_unit(number: &str, text: &str, dimension: Dimension, key: 
         message: format!("`{key}` has the unknown unit \"{text}\""),
         label: "unknown unit".into(),
         hint: match suggestion(number, text, dimension) {
+            _ if dimension == Dimension::Viscosity && is_kinematic(text) => {
+                "a kinematic viscosity times the density is the dynamic one: 1 cSt at 850 kg/m3 is 0.85 mPa s"
+                    .into()
+            }
             Some(quantity) => format!("write \"{quantity}\""),
             None => format!("{} is written in {}", dimension.with_article(), dimension.unit_list()),
         },
     }
+}
+
+/// Whether a unit is one of kinematic viscosity: a number in it says nothing without the density.
+fn is_kinematic(text: &str) -> bool {
+    ["cst", "st", "mm2/s", "mm\u{b2}/s", "m2/s", "m\u{b2}/s"].contains(&text.trim().to_lowercase().as_str())
 }
 
 /// The same quantity as it is read.

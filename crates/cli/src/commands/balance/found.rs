@@ -92,6 +92,7 @@ pub fn csv(
         }
         BalanceTable::Stages => stages_table(engine, answer).csv(),
         BalanceTable::Limits => limits_table(engine, answer).map_or(String::new(), |table| table.csv()),
+        BalanceTable::Durability => String::new(),
         BalanceTable::Orders => {
             let table = answer.cancellation.as_ref().map(|c| cancelled_orders_table(engine, c));
             table.map_or(String::new(), |table| table.csv())

@@ -107,7 +107,7 @@ pub fn tell(
             BalanceTable::Consequences => consequences_table(effect).csv(),
             BalanceTable::Orders => method_orders_table(answer).csv(),
             BalanceTable::Stages => stages_table(engine, &answer.optimum).csv(),
-            BalanceTable::Limits | BalanceTable::Proof => {
+            BalanceTable::Limits | BalanceTable::Durability | BalanceTable::Proof => {
                 return Err(Failure::input(
                     "a published method has no such table",
                     "take --table weights, effects, consequences, orders or stages",

@@ -2,6 +2,7 @@
 
 mod balance;
 mod consequences;
+mod durable;
 mod methods;
 mod search;
 mod search_limits;

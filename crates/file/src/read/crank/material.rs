@@ -5,6 +5,11 @@ use crate::read::reader::Reader;
 use lanchester_diagnostic::Mistake;
 use lanchester_model::{CrankMaterial, Forging, MaterialPreset};
 
+/// Strengths and moduli that a metal of crankshafts may have [Pa]. The formulas after UR M53 divide by the tensile strength: one in the wrong unit would
+/// make any crankshaft safe.
+const TENSILE_STRENGTH: [f64; 2] = [100e6, 3000e6];
+const YOUNGS_MODULUS: [f64; 2] = [30e9, 500e9];
+
 impl Reader<'_> {
     /// The material: the outer `None` says bad, the inner one absent.
     pub(in crate::read) fn crank_material(&mut self) -> Option<Option<CrankMaterial>> {
@@ -47,6 +52,23 @@ impl Reader<'_> {
                 Mistake::error("E0108", section.value_span("poisson_ratio"), message)
                     .label("out of range")
                     .hint("of steel it is 0.3"),
+            );
+            return None;
+        }
+        let strengths = [
+            ("tensile_strength", material.tensile_strength, TENSILE_STRENGTH),
+            ("youngs_modulus", material.youngs_modulus, YOUNGS_MODULUS),
+        ];
+        for (key, value, [lowest, highest]) in strengths {
+            let Some(value) = value.filter(|value| !(lowest..=highest).contains(value)) else { continue };
+            let [value, lowest, highest] = [value, lowest, highest].map(|own| own / 1e6);
+            let message = format!(
+                "`{key}` is outside the accepted range [{lowest} MPa, {highest} MPa], got {value} MPa"
+            );
+            self.mistakes.push(
+                Mistake::error("E0108", section.value_span(key), message)
+                    .label("out of range")
+                    .hint(format!("check its unit; {}", section.example(key))),
             );
             return None;
         }

@@ -57,6 +57,23 @@ pub(super) static BALANCE: Table = Table {
             "{ couple = \"5 N m\", \"force order 1\" = \"200 N\" }",
         ),
         key(
+            "at_least",
+            Kind::AtLeast,
+            Optional,
+            "Oil films and safeties that must not fall below a value: `least film` (of all main and big-end bearings over the cycle), \
+             `main-bearing film`, `main-bearing film 3`, `crankpin film 2`, `rule safety` (UR M53), `fillet safety` (finite elements). The optimum \
+             of `minimise` is found and proved first; where it does not hold one of these, a local search moves its weights, without a global optimum.",
+            "{ \"main-bearing film\" = \"2 um\", \"rule safety\" = 1.3 }",
+        ),
+        key(
+            "maximise",
+            Kind::Durabilities,
+            Optional,
+            "Oil films and safeties that a local search makes large after the optimum of `minimise`, the first first, without raising any stage beyond \
+             what `give_up` allows.",
+            "[\"main-bearing film\"]",
+        ),
+        key(
             "budget",
             Kind::Number(NotNegative),
             Optional,

@@ -234,6 +234,14 @@ export type AskedEvent = {
   when: string;
 };
 
+/** A criterion that must not fall below a value. */
+export type AtLeast = {
+  /** What. */
+  criterion: DurabilityCriterion;
+  /** Smallest value, in the criterion's SI unit. */
+  least: number;
+};
+
 /** An engine at a speed. */
 export type AtSpeed = {
   /** Speed of crankshaft 1 [rad/s]; the highest of the engine where it is left out. */
@@ -256,6 +264,8 @@ export type BalanceAnswer = {
   after: Loads | null;
   /** As `lanchester balance --format json` prints it. */
   answer: Answer;
+  /** Oil films and safeties before, at the optimum and after the search for them, in words; none where none is wanted. */
+  durability: string | null;
   /** What it does to the engine. */
   effect: WeightEffect | null;
   /** The outcome in words. */
@@ -270,6 +280,8 @@ export type BalanceAnswer = {
 
 /** What may be changed, and what is wanted. */
 export type BalanceQuestion = {
+  /** Oil films and safeties that must not fall below a value, as `--at-least` takes them. */
+  at_least: string[];
   /** Largest cost of all that is used, as `--budget` takes it. */
   budget: string | null;
   /** Orders that must vanish, as `--cancel` takes them. */
@@ -290,6 +302,8 @@ export type BalanceQuestion = {
   locked: string[];
   /** Most branch-and-bound nodes for one stage, as `--max-nodes` takes it; none: 2000. */
   max_nodes: number | null;
+  /** Oil films and safeties that are to be large, as `--maximise` takes them. */
+  maximise: string[];
   /** Criteria in their order, as `--minimise` takes them; none: force, then couple. */
   minimise: string[];
   /** Largest unbalance of every free weight on a crankshaft, as `--most` takes it. */
@@ -335,6 +349,8 @@ export type BalanceTask = {
    * default stages and what decides among equals put first.
    */
   cancel: Array<[Load, number]>;
+  /** Films and safeties that must not fall below a value or are to be large, after the optimum of the stages. */
+  durability?: DurabilityWish;
   /**
    * How far later stages may raise each stage above its least value, in the order of the stages (of the default ones where
    * none are named); a stage without an entry gives up nothing.
@@ -779,16 +795,22 @@ export type Compared = {
   couple: number;
   /** What most of the couple is. */
   couple_leading: Leading | null;
+  /** The same of any big-end bearing [m]. */
+  crankpin_film: Measured;
   /** Displacement [m^3], where all bores are known. */
   displacement: number | null;
   /** Its name. */
   engine: string;
+  /** Smallest safety of any fillet by finite elements [1], where it is asked for. */
+  fillet_safety?: Measured | null;
   /** Largest departure of a firing interval from the even one, over it, where firing is known. */
   firing_unevenness: number | null;
   /** Largest resultant force of the moving masses on the block [N]. */
   force: number;
   /** What most of the force is. */
   force_leading: Leading | null;
+  /** Smallest oil film of any main bearing over the cycle [m], the smaller of that at the lowest speed and at the speed of the comparison. */
+  main_film: Measured;
   /** Largest load of inertia on any main bearing over the cycle, throw by throw [N]; `None` for crankshafts without throws. */
   main_load: number | null;
   /**
@@ -798,6 +820,8 @@ export type Compared = {
   mount_force: number | null;
   /** Largest roll moment of the moving masses, either way [N m]. */
   roll_moment: number;
+  /** Smallest safety of any fillet or oil bore by the formulas after UR M53 [1], at these speeds. */
+  rule_safety: Measured;
   /** Unbalance of all weights of balance shafts [kg m]. */
   shaft_weights: number;
   /** Number of balance shafts. */
@@ -1465,6 +1489,23 @@ export type DriveTrain = {
   links: DriveLink[];
   /** Gear planes beyond the end of the crank. */
   planes: number;
+};
+
+/** A number of which more is better: the smallest over the cycle, the parts and the speeds that count. */
+export type DurabilityCriterion = "least-film" | {
+  "main-film": number | null;
+} | {
+  "crankpin-film": number | null;
+} | {
+  "rule-safety": number | null;
+} | "fillet-safety";
+
+/** Films and safeties that balancing is to care for. */
+export type DurabilityWish = {
+  /** What must hold. */
+  at_least: AtLeast[];
+  /** What is to be large, the first first. */
+  maximise: DurabilityCriterion[];
 };
 
 /** A change of one key. */
@@ -2478,6 +2519,19 @@ export type MassProperties = {
   unbalance: Point;
 };
 
+/** A criterion of an engine. */
+export type Measured = {
+  kind: "known";
+  /** Which part has it: "main bearing 3", "pin 2 at web 3". */
+  place: string;
+  /** At which speed of crankshaft 1 [rad/s]. */
+  speed: number;
+  /** In the unit of the criterion. */
+  value: number;
+} | Unmeasured & {
+  kind: "unknown";
+};
+
 /** How an optimum was found. */
 export type Method = {
   kind: "convex";
@@ -3040,8 +3094,8 @@ export type Ranking = {
   places: RankingPlace[];
 };
 
-/** What engines are compared by: less is better. */
-export type RankingCriterion = "force" | "couple" | "roll-moment" | "mount-force" | "firing-unevenness" | "torque-unevenness" | "flywheel" | "added-unbalance" | "shafts";
+/** What engines are compared by: less is better, but of films and safeties. */
+export type RankingCriterion = "force" | "couple" | "roll-moment" | "mount-force" | "firing-unevenness" | "torque-unevenness" | "flywheel" | "added-unbalance" | "shafts" | "main-film" | "crankpin-film" | "rule-safety" | "fillet-safety";
 
 /** An engine in a ranking. */
 export type RankingPlace = {
@@ -3830,6 +3884,14 @@ export type TwoTexts = {
   before: string;
   /** The engine file now. */
   text: string;
+};
+
+/** Why a criterion has no number. */
+export type Unmeasured = {
+  /** What is missing or cannot be computed. */
+  reason: string;
+  /** What would give it. */
+  remedy: string;
 };
 
 /** What is odd, though it can be computed. */

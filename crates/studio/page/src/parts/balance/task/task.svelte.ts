@@ -74,6 +74,9 @@ class Optimising {
   timeLimit = $state("");
   /** What earlier stages give up for later ones, as typed: `force = 1 %`. */
   giveUp = $state("");
+  /** Oil films and safeties: not below a value, and as large as may be. */
+  atLeast = $state("");
+  large = $state("");
   /** Which weights can be made, what they may cost and at which speeds loads count, as typed; empty: whatever the file says. */
   step = $state("");
   equalParts = $state(false);
@@ -112,6 +115,8 @@ class Optimising {
       shafts: [],
       most: this.whatFits ? "what fits" : this.task.said.most,
       give_up: listed(this.giveUp),
+      at_least: listed(this.atLeast),
+      maximise: listed(this.large),
       step: this.step.trim() || null,
       equal_parts: this.equalParts,
       budget: this.budget.trim() || null,

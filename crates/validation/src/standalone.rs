@@ -1,0 +1,4 @@
+//! Quantities that belong to no engine.
+
+pub(crate) mod film;
+pub(crate) mod mechanism;
