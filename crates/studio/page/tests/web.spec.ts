@@ -95,7 +95,7 @@ test.describe("beside the program", () => {
     return Math.max(0, ...Object.values(value).map(size));
   }
 
-  /** Where two answers differ by more than rounding; sums of a few thousand terms of the size of the largest number beside them. */
+  /** Where two answers differ by more than rounding: forces that cancel leave what the largest number of the answer loses. */
   function differences(a: unknown, b: unknown, scale: number, path: string): string[] {
     if (typeof a === "number" && typeof b === "number")
       return Math.abs(a - b) <= 1e-10 * scale ? [] : [`${path}: ${a} and ${b}, of ${scale}`];
@@ -112,7 +112,7 @@ test.describe("beside the program", () => {
       const flat = keys.includes("value") && keys.includes("theta") ? ["theta"] : [];
       return keys
         .filter((key) => !flat.includes(key))
-        .flatMap((key) => differences(left[key], right[key], size(left), `${path}.${key}`));
+        .flatMap((key) => differences(left[key], right[key], Math.max(scale, size(left)), `${path}.${key}`));
     }
     return a === b ? [] : [`${path}: ${String(a)} and ${String(b)}`];
   }
