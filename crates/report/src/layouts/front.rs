@@ -180,15 +180,6 @@ fn table(id: &'static str, title: String, answer: &ExploreAnswer, layouts: &[Fou
             layouts.iter().map(|layout| value(layout).and_then(|_| known.next()).unwrap_or(Cell::Empty));
         columns.push((Column::numbers(criterion.title(), unit), cells.collect()));
     }
-    for (place, criterion) in answer.durability.iter().enumerate() {
-        let (factor, unit) = if criterion.is_film() { (1e6, "um") } else { (1.0, "") };
-        let value = |layout: &FoundLayout| layout.durability.get(place).and_then(Measured::value);
-        let mut known =
-            column_cells(layouts.iter().filter_map(value).map(|value| factor * value), 4, NOISE).into_iter();
-        let cells =
-            layouts.iter().map(|layout| value(layout).and_then(|_| known.next()).unwrap_or(Cell::Empty));
-        columns.push((Column::numbers(criterion.title(), unit), cells.collect()));
-    }
     let alike = layouts.iter().map(|layout| number(layout.alike as f64)).collect();
     columns.push((Column::numbers("alike", ""), alike));
     Table::of_columns(id, title, "", columns)
