@@ -281,7 +281,7 @@ fn balanced(asker: &Asker, question: BalanceQuestion) -> Result<BalanceAnswer, P
         true => {
             let options = DurableOptions { balance: settings, ..DurableOptions::default() };
             let watch = |_: usize| match asker.waits() {
-                true => settings.next(began.elapsed().as_secs_f64()),
+                true => settings.next((asker.studio.clock)().saturating_sub(began).as_secs_f64()),
                 false => Next::Abandon,
             };
             let found = durable_balance(&file, Ok(&traces), &answer, &options, &watch);
