@@ -83,6 +83,15 @@ pub enum FlexError {
         /// Bytes allowed.
         allowed: u64,
     },
+    /// A factor with more entries than can be numbered.
+    #[error(
+        "the factor of {unknowns} unknowns has more entries than can be numbered, {}\nhint: larger elements, or fewer across the fillets",
+        u32::MAX
+    )]
+    TooLarge {
+        /// Unknowns.
+        unknowns: usize,
+    },
     /// An iteration that came to no end.
     #[error(
         "{what} did not converge in {iterations} iterations: residual {residual:.1e}, needed {needed:.1e}\nhint: {hint}"

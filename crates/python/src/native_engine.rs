@@ -13,6 +13,9 @@ use pyo3::types::{PyBytes, PyDict, PyList};
 use std::path::PathBuf;
 use std::sync::Arc;
 
+/// A completed engine, the sections that were inserted, and those that the engine cannot have, each with its reason.
+type Completed = (NativeEngine, Vec<&'static str>, Vec<(&'static str, String)>);
+
 /// An engine file that was read.
 #[pyclass(frozen, name = "Engine", module = "lanchester._native")]
 pub struct NativeEngine {
@@ -86,12 +89,7 @@ impl NativeEngine {
     }
 
     /// A copy with typical values for these sections, all that are missing where none is named; and what it cannot have.
-    fn completed(
-        &self,
-        py: Python<'_>,
-        sections: Vec<String>,
-        kind: Option<&str>,
-    ) -> PyResult<(NativeEngine, Vec<&'static str>, Vec<(&'static str, String)>)> {
+    fn completed(&self, py: Python<'_>, sections: Vec<String>, kind: Option<&str>) -> PyResult<Completed> {
         let list =
             |words: Vec<&str>| words.iter().map(|word| format!("\"{word}\"")).collect::<Vec<_>>().join(", ");
         let section = |word: &String| {

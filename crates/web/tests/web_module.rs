@@ -4,7 +4,7 @@ use lanchester_answers::Reply;
 use lanchester_web::Module;
 
 fn json(reply: &Reply) -> serde_json::Value {
-    serde_json::from_slice(&reply.bytes).unwrap()
+    serde_json::from_slice(&reply.bytes).expect("replies are JSON")
 }
 
 #[test]

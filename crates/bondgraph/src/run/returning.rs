@@ -154,7 +154,7 @@ impl Returning {
         if norm > 0.0 {
             let along = of_section / norm;
             let project = DMatrix::identity(columns, columns) - &along * along.transpose();
-            of_places = of_places * &project;
+            of_places *= &project;
         }
         let weights: Vec<f64> = (0..rows)
             .map(|row| {

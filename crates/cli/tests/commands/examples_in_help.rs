@@ -154,9 +154,7 @@ fn every_example_in_the_help_runs_as_it_is_printed() {
         files(&own);
         for example in examples.iter().filter(|example| !runs_elsewhere(example)) {
             // It never overwrites: the engine of that name is its own.
-            if let Some(("lanchester new", name)) =
-                example.split_once(" in-line-3 --output ").map(|(head, name)| (head, name))
-            {
+            if let Some(("lanchester new", name)) = example.split_once(" in-line-3 --output ") {
                 fs::remove_file(own.join(name)).unwrap();
             }
             failures.extend(failure(&own, example));

@@ -80,7 +80,7 @@ impl FactorPlan {
     /// Where the factor of a matrix has entries, unknowns eliminated in their order.
     ///
     /// # Errors
-    /// [`FlexError::Memory`] where not even that fits.
+    /// [`FlexError::TooLarge`] where they cannot be numbered.
     pub fn new(matrix: &SymmetricMatrix) -> Result<FactorPlan, FlexError> {
         let size = matrix.size();
         let (starts, rows) = (&matrix.pattern.starts, &matrix.pattern.rows);
@@ -96,12 +96,7 @@ impl FactorPlan {
             SymmetricOrdering::Custom(PermRef::new_checked(&identity, &identity, size)),
             params,
         )
-        .map_err(|_| FlexError::Memory {
-            unknowns: size,
-            entries: rows.len(),
-            needed: u64::MAX,
-            allowed: 0,
-        })?;
+        .map_err(|_| FlexError::TooLarge { unknowns: size })?;
         let operations = operations(&symbolic);
         let entries = symbolic.len_val();
         Ok(FactorPlan {

@@ -178,7 +178,7 @@ pub enum StressError {
         /// Its name in the engine file.
         name: String,
         /// Why.
-        error: FlexError,
+        error: Box<FlexError>,
     },
     /// A mesh from elsewhere that nobody has read.
     #[error(

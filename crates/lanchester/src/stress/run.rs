@@ -135,7 +135,7 @@ pub(crate) fn sheet(
         None => crank_mesh(engine, mesh.crankshaft, mesh.options)?,
         Some(MeshFile { name, text: None }) => return Err(StressError::MeshNotRead { name: name.clone() }),
         Some(MeshFile { name, text: Some(text) }) => own_mesh(text, &own_mesh_plan(engine, mesh.crankshaft))
-            .map_err(|error| StressError::MeshFile { name: name.clone(), error })?,
+            .map_err(|error| StressError::MeshFile { name: name.clone(), error: Box::new(error) })?,
     };
     watch(StressStage::Meshed(crank.mesh.nodes.len(), crank.mesh.elements.len()));
     let elastic = crank.mesh.materials.first().cloned().unwrap_or_else(Material::steel);

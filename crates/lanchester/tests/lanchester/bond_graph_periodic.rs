@@ -14,6 +14,9 @@ use lanchester::multibody::{
 use lanchester::{BondGraphRequest, engine_bond_graph};
 use std::f64::consts::TAU;
 
+/// A value of the multibody simulation at a sample.
+type Of = fn(&Periodic, usize) -> f64;
+
 /// How far the two may differ, as a share of the largest value.
 const AGREEMENT: f64 = 1e-8;
 
@@ -53,7 +56,7 @@ impl Case {
         train.periodic(&simulation, self.fired.then_some(&gas as _)).expect("it runs")
     }
 
-    fn check(&self, names: &[(&str, fn(&Periodic, usize) -> f64)]) {
+    fn check(&self, names: &[(&str, Of)]) {
         let theirs = self.multibody();
         let link = |link: &DrivelineInertia| EngineLink {
             inertia: link.inertia,

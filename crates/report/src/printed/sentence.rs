@@ -3,6 +3,9 @@
 use crate::kit::number::{NO_BREAK, decimals, terminal};
 use crate::kit::us_unit::{Us, leading};
 
+/// A unit of a number, and where in the text it stands, where it stands behind that number.
+type Found = (Us, Option<(usize, usize)>);
+
 /// A number as printed: where it stands, what it is, how many digits it shows.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Printed {
@@ -98,7 +101,7 @@ fn numbers(text: &str) -> Vec<Printed> {
         match number_at(text, at).filter(|_| apart && begins) {
             Some(number) => {
                 // What stands between backquotes is a name or a line of the file, as it is written there.
-                if text[..at].matches('`').count() % 2 == 0 {
+                if text[..at].matches('`').count().is_multiple_of(2) {
                     found.push(number);
                 }
                 at = number.to;
@@ -122,7 +125,7 @@ fn is_between(text: &str) -> bool {
 pub(super) fn sentence(text: &str) -> String {
     let numbers = numbers(text);
     // The unit of each number, and where it stands if that is behind this number.
-    let mut units: Vec<Option<(Us, Option<(usize, usize)>)>> = vec![None; numbers.len()];
+    let mut units: Vec<Option<Found>> = vec![None; numbers.len()];
     for index in 0..numbers.len() {
         let behind = &text[numbers[index].to..];
         let Some(space) = behind.chars().next().filter(|letter| letter.is_whitespace()) else { continue };

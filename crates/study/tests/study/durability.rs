@@ -63,7 +63,8 @@ fn the_front_is_that_of_all_layouts_that_hold_the_limit() {
             }
         }
         let mut own: Vec<(u128, u128)> = found.front.iter().map(|one| (one.case, one.alike)).collect();
-        (own.sort_unstable(), front.sort_unstable());
+        own.sort_unstable();
+        front.sort_unstable();
         assert_eq!(own, front, "firing {firing}");
         assert!(!own.is_empty());
         let free_front = free.explore().expect("it runs").front;
