@@ -161,7 +161,7 @@ pub enum Command {
                             --shaft '1 @ 0 mm, -100 mm @ 0 mm @ optional, most 0.02 kg m'\n  \
                             lanchester balance twin.toml --cancel 'force order 1' --shaft '-1 @ 0 mm, 100 mm @ 0 mm'\n  \
                             lanchester balance four.toml --maximise 'main-bearing film'\n  \
-                            lanchester balance four.toml --at-least 'main-bearing film = 4 um' --at-least 'rule safety = 1.15' --give-up 'couple = 2 N m'\n  \
+                            lanchester balance four.toml --at-least 'main-bearing film = 0.5 um'\n  \
                             lanchester balance twin.toml --dry-run\n  lanchester balance twin.toml --write\n  \
                             lanchester balance twin.toml --search --limit 'force = 5 kN' --figures figures\n  \
                             lanchester balance twin.toml --search --mount-spacing '176 mm' --reference four.toml --share 1/2\n  \
@@ -252,7 +252,7 @@ pub enum Command {
         after_help = "Examples:\n  lanchester bondgraph slider-crank.toml\n  lanchester bondgraph equations slider-crank.toml --notation latex\n  \
                             lanchester bondgraph linear dc-motor.toml\n  lanchester bondgraph simulate dc-motor.toml --for '2 s' --format csv > motor.csv\n  \
                             lanchester bondgraph simulate three-cylinder.toml --gas-states --figures figures\n  \
-                            lanchester bondgraph simulate three-cylinder.toml --until periodic\n  \
+                            lanchester bondgraph simulate three-cylinder.toml --until periodic --block fixed\n  \
                             lanchester bondgraph audit slider-crank.toml\n  lanchester bondgraph draw dc-motor.toml > motor.svg\n  \
                             lanchester bondgraph export dc-motor.toml --to modelica > motor.mo\n\n\
                             Exit status 1: a simulation ended before its duration."

@@ -18,7 +18,7 @@ pub enum FilmError {
     },
     /// The clearance does not belong to this radius.
     #[error(
-        "the diametral clearance is {:.4} um on a journal diameter of {:.3} mm, a ratio of {:.2e}: needed is {:.0e} to {:.0e} (common: 1e-3)\n\
+        "the diametral clearance is {:.1} um on a journal diameter of {:.3} mm, a ratio of {:.2e}: needed is {:.0e} to {:.0e} (common: 1e-3)\n\
          hint: give diametral_clearance as the difference of the diameters, some {:.0} um here, and check its unit",
         clearance * 2e6, radius * 2e3, clearance / radius, range[0], range[1], radius * 2e3
     )]

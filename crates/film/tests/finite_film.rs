@@ -239,7 +239,7 @@ fn prop_mass_conserving_film_loses_no_oil() {
 #[test]
 fn bad_input_names_what_is_needed() {
     let clearance = JournalBearing::new(0.025, 0.02, 0.06).expect_err("0.06 m is no clearance").to_string();
-    assert!(clearance.contains("factor of two") && clearance.contains("60.0000 mm"), "{clearance}");
+    assert!(clearance.contains("120000.0 um") && clearance.contains("check its unit"), "{clearance}");
     let mut film = problem(0.5, 0.5, Cavitation::Gumbel);
     let grid = FilmGrid::uniform(16, 4, true, 0.0).expect("a grid");
     let mut solver = FilmSolver::new(grid).expect("a solver");

@@ -522,7 +522,7 @@ mod tests {
                     Parts::Numbered | Parts::Mounts if number == 0 && !quantity.more_is_better() => {
                         output.place = Place::Largest;
                     }
-                    Parts::Numbered if forward => output.place = Place::Number(number),
+                    Parts::Numbered if forward && number > 0 => output.place = Place::Number(number),
                     Parts::Mounts if forward => output.place = Place::Named(name),
                     _ => {}
                 }

@@ -491,7 +491,7 @@ mod tests {
         assert_eq!(
             lines,
             [
-                "No main-bearing film, crankpin film, safety after UR M53 of no. 1, 2 and 3: the oil is not given; give viscosity"
+                "No main-bearing film, crankpin film, safety after UR M53 of no. 1–3: the oil is not given; give viscosity"
             ]
         );
         let text = comparison_text(&comparison);
