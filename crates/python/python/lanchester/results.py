@@ -20,6 +20,7 @@ __all__ = [
     "ArrangementClearance",
     "Arrangements",
     "Articulation",
+    "AtLeast",
     "Audit",
     "AxisLine",
     "Balance",
@@ -104,6 +105,12 @@ __all__ = [
     "DriveLink",
     "DriveTrain",
     "DrivelineBody",
+    "DurabilityWish",
+    "Durable",
+    "DurableEnd",
+    "DurableLimit",
+    "DurableRow",
+    "DurableStage",
     "Effect",
     "Effect2",
     "EnergyLedger",
@@ -133,6 +140,7 @@ __all__ = [
     "FiringStar",
     "FirstOrder",
     "FlywheelNeed",
+    "Followed",
     "FoundInertia",
     "FoundLayout",
     "FoundLimit",
@@ -171,6 +179,8 @@ __all__ = [
     "MainLoad",
     "MassProperties",
     "Material",
+    "Measured",
+    "MeshOrigins",
     "MeshQuality",
     "Method",
     "Mode",
@@ -281,6 +291,7 @@ __all__ = [
     "TrainInertia",
     "Transmissibility",
     "TurningInertia",
+    "Unmeasured",
     "VariedInput",
     "WebBound",
     "WebPlace",
@@ -733,6 +744,23 @@ class Articulation(Record):
         return self._get("top_dead_centre_shift")  # type: ignore[no-any-return]
 
 
+class AtLeast(Record):
+    """A criterion that must not fall below a value."""
+
+    __slots__ = ()
+    _FIELDS = ("criterion", "least",)
+
+    @property
+    def criterion(self) -> Literal['least-film', 'fillet-safety'] | dict[str, Any]:
+        """What."""
+        return self._get("criterion")  # type: ignore[no-any-return]
+
+    @property
+    def least(self) -> float:
+        """Smallest value, in the criterion's SI unit."""
+        return self._get("least")  # type: ignore[no-any-return]
+
+
 class Audit(Record):
     """What must be zero but for the errors of the steps."""
 
@@ -786,7 +814,7 @@ class Balance(Result):
     """The best weights with their proof, as parts, and what they do to the engine."""
 
     __slots__ = ()
-    _FIELDS = ("among_equals", "as_parts", "cancellation", "consequences", "effects", "engine", "gas_speeds", "inertias", "limits", "method", "mount_gas_speeds", "mount_speeds", "outcome", "settings", "shafts", "speed", "stages", "task", "version", "warnings", "web_bounds", "weights",)
+    _FIELDS = ("among_equals", "as_parts", "cancellation", "consequences", "durability", "effects", "engine", "gas_speeds", "inertias", "limits", "method", "mount_gas_speeds", "mount_speeds", "outcome", "settings", "shafts", "speed", "stages", "task", "version", "warnings", "web_bounds", "weights",)
 
     @property
     def among_equals(self) -> Records[FoundStage]:
@@ -811,6 +839,11 @@ class Balance(Result):
     def consequences(self) -> Consequences | None:
         """What the weights do to block, bearings and bending, before and after."""
         return self._of("consequences", Consequences)  # type: ignore[no-any-return]
+
+    @property
+    def durability(self) -> Durable | None:
+        """Oil films and safeties before, at the optimum and after the search for them, where some are wanted."""
+        return self._of("durability", Durable)  # type: ignore[no-any-return]
 
     @property
     def effects(self) -> Records[Effect]:
@@ -935,7 +968,7 @@ class BalanceTask(Record):
     """Free weights, shafts and inertias, with what is to be minimised and what must hold."""
 
     __slots__ = ()
-    _FIELDS = ("cancel", "give_up", "inertias", "limits", "most_optional", "shaft_costs", "shafts", "speed_weights", "speeds", "stages", "ties", "weights",)
+    _FIELDS = ("cancel", "durability", "give_up", "inertias", "limits", "most_optional", "shaft_costs", "shafts", "speed_weights", "speeds", "stages", "ties", "weights",)
 
     @property
     def cancel(self) -> list[list[Any]]:
@@ -943,6 +976,11 @@ class BalanceTask(Record):
         default stages and what decides among equals put first.
         """
         return self._list("cancel")  # type: ignore[no-any-return]
+
+    @property
+    def durability(self) -> DurabilityWish | None:
+        """Films and safeties that must not fall below a value or are to be large, after the optimum of the stages."""
+        return self._of("durability", DurabilityWish)  # type: ignore[no-any-return]
 
     @property
     def give_up(self) -> list[Literal['nothing'] | dict[str, Any]]:
@@ -1978,7 +2016,7 @@ class Compared(Record):
     """One engine of a comparison, in the size in which it is compared."""
 
     __slots__ = ()
-    _FIELDS = ("added_mass", "balance_rate", "bending_moment", "counterweights", "couple", "couple_leading", "displacement", "engine", "firing_unevenness", "force", "force_leading", "main_load", "mount_force", "roll_moment", "shaft_weights", "shafts", "similar", "speed", "torque", "with_",)
+    _FIELDS = ("added_mass", "balance_rate", "bending_moment", "counterweights", "couple", "couple_leading", "crankpin_film", "displacement", "engine", "fillet_safety", "firing_unevenness", "force", "force_leading", "main_film", "main_load", "mount_force", "roll_moment", "rule_safety", "shaft_weights", "shafts", "similar", "speed", "torque", "with_",)
 
     @property
     def added_mass(self) -> float | None:
@@ -2013,6 +2051,11 @@ class Compared(Record):
         return self._of("couple_leading", Leading)  # type: ignore[no-any-return]
 
     @property
+    def crankpin_film(self) -> Measured:
+        """The same of any big-end bearing [m]."""
+        return self._of("crankpin_film", Measured)  # type: ignore[no-any-return]
+
+    @property
     def displacement(self) -> float | None:
         """Displacement [m^3], where all bores are known."""
         return self._get("displacement")  # type: ignore[no-any-return]
@@ -2021,6 +2064,11 @@ class Compared(Record):
     def engine(self) -> str:
         """Its name."""
         return self._get("engine")  # type: ignore[no-any-return]
+
+    @property
+    def fillet_safety(self) -> Measured | None:
+        """Smallest safety of any fillet by finite elements [1], where it is asked for."""
+        return self._of("fillet_safety", Measured)  # type: ignore[no-any-return]
 
     @property
     def firing_unevenness(self) -> float | None:
@@ -2038,6 +2086,11 @@ class Compared(Record):
         return self._of("force_leading", Leading)  # type: ignore[no-any-return]
 
     @property
+    def main_film(self) -> Measured:
+        """Smallest oil film of any main bearing over the cycle [m], the smaller of that at the lowest speed and at the speed of the comparison."""
+        return self._of("main_film", Measured)  # type: ignore[no-any-return]
+
+    @property
     def main_load(self) -> float | None:
         """Largest load of inertia on any main bearing over the cycle, throw by throw [N]; `None` for crankshafts without throws."""
         return self._get("main_load")  # type: ignore[no-any-return]
@@ -2053,6 +2106,11 @@ class Compared(Record):
     def roll_moment(self) -> float:
         """Largest roll moment of the moving masses, either way [N m]."""
         return self._get("roll_moment")  # type: ignore[no-any-return]
+
+    @property
+    def rule_safety(self) -> Measured:
+        """Smallest safety of any fillet or oil bore by the formulas after UR M53 [1], at these speeds."""
+        return self._of("rule_safety", Measured)  # type: ignore[no-any-return]
 
     @property
     def shaft_weights(self) -> float:
@@ -2724,7 +2782,7 @@ class CrankLoad(Record):
     """What loads a crankshaft."""
 
     __slots__ = ()
-    _FIELDS = ("pins", "speed",)
+    _FIELDS = ("pins", "speed", "turn",)
 
     @property
     def pins(self) -> Records[PinLoad2]:
@@ -2735,6 +2793,13 @@ class CrankLoad(Record):
     def speed(self) -> float:
         """Speed about its axis [rad/s], whose centrifugal field loads the body."""
         return self._get("speed")  # type: ignore[no-any-return]
+
+    @property
+    def turn(self) -> float:
+        """Angle from the block's x axis to that of the frame of the crankshaft, positive from x to y [rad]: springs that differ across directions keep
+        to the block.
+        """
+        return self._get("turn")  # type: ignore[no-any-return]
 
 
 class CrankMesh(Record):
@@ -2889,7 +2954,7 @@ class CrankSheet(Record):
     """A meshed crankshaft."""
 
     __slots__ = ()
-    _FIELDS = ("crank", "crankshaft", "engine", "exact_mass", "fillet_mass", "material", "options",)
+    _FIELDS = ("crank", "crankshaft", "engine", "exact_mass", "fillet_mass", "material", "options", "origins", "own_file",)
 
     @property
     def crank(self) -> CrankMesh:
@@ -2908,7 +2973,7 @@ class CrankSheet(Record):
 
     @property
     def exact_mass(self) -> float:
-        """Mass of the exact body without fillets, nose and flange [kg]."""
+        """Mass of the exact body without fillets, nose and flange; of a mesh from a file that of the body with nose and flange, 0 where the engine file has no body [kg]."""
         return self._get("exact_mass")  # type: ignore[no-any-return]
 
     @property
@@ -2923,8 +2988,18 @@ class CrankSheet(Record):
 
     @property
     def options(self) -> CrankMeshOptions:
-        """How fine it is meshed."""
+        """How fine it is meshed; says nothing of a mesh from a file."""
         return self._of("options", CrankMeshOptions)  # type: ignore[no-any-return]
+
+    @property
+    def origins(self) -> MeshOrigins:
+        """Who says so."""
+        return self._of("origins", MeshOrigins)  # type: ignore[no-any-return]
+
+    @property
+    def own_file(self) -> str | None:
+        """The file that its mesh comes from; none where it is meshed from its body."""
+        return self._get("own_file")  # type: ignore[no-any-return]
 
 
 class CrankUnbalance(Record):
@@ -3971,6 +4046,193 @@ class DrivelineBody(Record):
         return self._get("ratio")  # type: ignore[no-any-return]
 
 
+class DurabilityWish(Record):
+    """Films and safeties that balancing is to care for."""
+
+    __slots__ = ()
+    _FIELDS = ("at_least", "maximise",)
+
+    @property
+    def at_least(self) -> Records[AtLeast]:
+        """What must hold."""
+        return self._all("at_least", AtLeast)
+
+    @property
+    def maximise(self) -> list[Literal['least-film', 'fillet-safety'] | dict[str, Any]]:
+        """What is to be large, the first first."""
+        return self._list("maximise")  # type: ignore[no-any-return]
+
+
+class Durable(Record):
+    """Films and safeties of an engine with the weights of an optimum, and with those that a local search made of them."""
+
+    __slots__ = ()
+    _FIELDS = ("end", "evaluations", "limits", "rows", "stages", "version", "weights",)
+
+    @property
+    def end(self) -> DurableEnd:
+        """How the search ended."""
+        return self._of("end", DurableEnd)  # type: ignore[no-any-return]
+
+    @property
+    def evaluations(self) -> int:
+        """Engines whose films and safeties were computed for the search."""
+        return self._get("evaluations")  # type: ignore[no-any-return]
+
+    @property
+    def limits(self) -> Records[DurableLimit]:
+        """What must hold."""
+        return self._all("limits", DurableLimit)
+
+    @property
+    def rows(self) -> Records[DurableRow]:
+        """Film of every main bearing, least film of the big ends, safety after UR M53, and what else is wanted."""
+        return self._all("rows", DurableRow)
+
+    @property
+    def stages(self) -> Records[DurableStage]:
+        """The stages with the moved weights; empty where none was moved."""
+        return self._all("stages", DurableStage)
+
+    @property
+    def version(self) -> int:
+        """Version of this structure."""
+        return self._get("version")  # type: ignore[no-any-return]
+
+    @property
+    def weights(self) -> Records[FoundWeight]:
+        """The weights, moved or as the optimum has them."""
+        return self._all("weights", FoundWeight)
+
+
+class DurableEnd(Record):
+    """How a local search ended. Whatever it found: a global optimum is not claimed."""
+
+    __slots__ = ()
+    _FIELDS = ("kind", "cause", "reason", "remedy",)
+
+    @property
+    def kind(self) -> Literal['not-asked', 'not-needed', 'moved', 'nothing-better', 'stopped', 'no-weights', 'not-measured']:
+        """Which of the variants it is."""
+        return self._get("kind")  # type: ignore[no-any-return]
+
+    @property
+    def cause(self) -> Literal['max-nodes', 'time-limit', 'cancelled', 'rounding'] | None:
+        """Why."""
+        return self._get("cause")  # type: ignore[no-any-return]
+
+    @property
+    def reason(self) -> str | None:
+        """What is missing or cannot be computed."""
+        return self._get("reason")  # type: ignore[no-any-return]
+
+    @property
+    def remedy(self) -> str | None:
+        """What would give it."""
+        return self._get("remedy")  # type: ignore[no-any-return]
+
+
+class DurableLimit(Record):
+    """A film or safety that must not fall below a value."""
+
+    __slots__ = ()
+    _FIELDS = ("criterion", "is_met", "least", "name", "unit", "value",)
+
+    @property
+    def criterion(self) -> Literal['least-film', 'fillet-safety'] | dict[str, Any]:
+        """Which."""
+        return self._get("criterion")  # type: ignore[no-any-return]
+
+    @property
+    def is_met(self) -> bool | None:
+        """Whether it holds; `None` where it is not known."""
+        return self._get("is_met")  # type: ignore[no-any-return]
+
+    @property
+    def least(self) -> float:
+        """The smallest value allowed."""
+        return self._get("least")  # type: ignore[no-any-return]
+
+    @property
+    def name(self) -> str:
+        """Its name for tables."""
+        return self._get("name")  # type: ignore[no-any-return]
+
+    @property
+    def unit(self) -> str:
+        """Its SI unit; empty for a plain number."""
+        return self._get("unit")  # type: ignore[no-any-return]
+
+    @property
+    def value(self) -> float | None:
+        """What was reached; `None` where it is not known."""
+        return self._get("value")  # type: ignore[no-any-return]
+
+
+class DurableRow(Record):
+    """A film or safety before, at the optimum and after."""
+
+    __slots__ = ()
+    _FIELDS = ("after", "before", "criterion", "name", "optimum", "unit",)
+
+    @property
+    def after(self) -> Measured:
+        """With those of the search."""
+        return self._of("after", Measured)  # type: ignore[no-any-return]
+
+    @property
+    def before(self) -> Measured:
+        """With the weights that the engine had."""
+        return self._of("before", Measured)  # type: ignore[no-any-return]
+
+    @property
+    def criterion(self) -> Literal['least-film', 'fillet-safety'] | dict[str, Any]:
+        """Which."""
+        return self._get("criterion")  # type: ignore[no-any-return]
+
+    @property
+    def name(self) -> str:
+        """Its name for tables."""
+        return self._get("name")  # type: ignore[no-any-return]
+
+    @property
+    def optimum(self) -> Measured:
+        """With those of the proved optimum."""
+        return self._of("optimum", Measured)  # type: ignore[no-any-return]
+
+    @property
+    def unit(self) -> str:
+        """Its SI unit; empty for a plain number."""
+        return self._get("unit")  # type: ignore[no-any-return]
+
+
+class DurableStage(Record):
+    """A stage of the balancing with moved weights."""
+
+    __slots__ = ()
+    _FIELDS = ("allowed", "optimum", "unit", "value",)
+
+    @property
+    def allowed(self) -> float:
+        """How far it may be raised."""
+        return self._get("allowed")  # type: ignore[no-any-return]
+
+    @property
+    def optimum(self) -> float:
+        """At the proved optimum."""
+        return self._get("optimum")  # type: ignore[no-any-return]
+
+    @property
+    def unit(self) -> str:
+        """SI unit, or `1` for a weighted sum."""
+        return self._get("unit")  # type: ignore[no-any-return]
+
+    @property
+    def value(self) -> float:
+        """With the moved weights."""
+        return self._get("value")  # type: ignore[no-any-return]
+
+
 class Effect(Record):
     """A criterion before and after."""
 
@@ -4279,7 +4541,12 @@ class Exploration(Result):
     """Pareto-optimal layouts, and what became of all others."""
 
     __slots__ = ()
-    _FIELDS = ("choices", "constraints", "counts", "cylinders", "done", "engine", "front", "given", "notes", "objectives", "ranking", "sample", "size", "speed", "version",)
+    _FIELDS = ("at_least", "choices", "constraints", "counts", "cylinders", "done", "durability", "engine", "front", "given", "notes", "objectives", "ranking", "sample", "size", "speed", "version",)
+
+    @property
+    def at_least(self) -> list[str]:
+        """What the layouts found hold of them, in words: a limit that was judged for layouts alone that no other covers."""
+        return self._list("at_least")  # type: ignore[no-any-return]
 
     @property
     def choices(self) -> Records[ChoiceCount]:
@@ -4305,6 +4572,11 @@ class Exploration(Result):
     def done(self) -> Records[Run]:
         """What has been looked at: the whole space, or the part that was asked for."""
         return self._all("done", Run)
+
+    @property
+    def durability(self) -> list[Literal['least-film', 'fillet-safety'] | dict[str, Any]]:
+        """Films and safeties that are told of the layouts found."""
+        return self._list("durability")  # type: ignore[no-any-return]
 
     @property
     def engine(self) -> str:
@@ -5005,6 +5277,33 @@ class FlywheelNeed(Record):
         return self._get("train")  # type: ignore[no-any-return]
 
 
+class Followed(Record):
+    """How far a motion was followed."""
+
+    __slots__ = ()
+    _FIELDS = ("came_to_rest", "periods", "speeds", "time",)
+
+    @property
+    def came_to_rest(self) -> bool:
+        """Whether the crank came to rest in the period behind them."""
+        return self._get("came_to_rest")  # type: ignore[no-any-return]
+
+    @property
+    def periods(self) -> int:
+        """Whole periods."""
+        return self._get("periods")  # type: ignore[no-any-return]
+
+    @property
+    def speeds(self) -> FloatArray:
+        """Speed of crankshaft 1 [rad/s] at the start, one period before the end, and at the end."""
+        return self._array("speeds")  # type: ignore[no-any-return]
+
+    @property
+    def time(self) -> float:
+        """Their time [s]."""
+        return self._get("time")  # type: ignore[no-any-return]
+
+
 class FoundInertia(Record):
     """A free inertia of the answer."""
 
@@ -5031,12 +5330,17 @@ class FoundLayout(Record):
     """A layout that was found."""
 
     __slots__ = ()
-    _FIELDS = ("alike", "firing_order", "layout", "number", "orders", "unevenness", "values",)
+    _FIELDS = ("alike", "durability", "firing_order", "layout", "number", "orders", "unevenness", "values",)
 
     @property
     def alike(self) -> int:
         """Cases with equal objectives, this one included."""
         return self._get("alike")  # type: ignore[no-any-return]
+
+    @property
+    def durability(self) -> Records[Measured]:
+        """Films and safeties, in the order of `durability`; empty where they were not asked for."""
+        return self._all("durability", Measured)
 
     @property
     def firing_order(self) -> list[int] | None:
@@ -6297,6 +6601,60 @@ class Material(Record):
         return self._get("youngs_modulus")  # type: ignore[no-any-return]
 
 
+class Measured(Record):
+    """A criterion of an engine."""
+
+    __slots__ = ()
+    _FIELDS = ("kind", "place", "speed", "value", "reason", "remedy",)
+
+    @property
+    def kind(self) -> Literal['known', 'unknown']:
+        """Which of the variants it is."""
+        return self._get("kind")  # type: ignore[no-any-return]
+
+    @property
+    def place(self) -> str | None:
+        """Which part has it: "main bearing 3", "pin 2 at web 3"."""
+        return self._get("place")  # type: ignore[no-any-return]
+
+    @property
+    def speed(self) -> float | None:
+        """At which speed of crankshaft 1 [rad/s]."""
+        return self._get("speed")  # type: ignore[no-any-return]
+
+    @property
+    def value(self) -> float | None:
+        """In the unit of the criterion."""
+        return self._get("value")  # type: ignore[no-any-return]
+
+    @property
+    def reason(self) -> str | None:
+        """What is missing or cannot be computed."""
+        return self._get("reason")  # type: ignore[no-any-return]
+
+    @property
+    def remedy(self) -> str | None:
+        """What would give it."""
+        return self._get("remedy")  # type: ignore[no-any-return]
+
+
+class MeshOrigins(Record):
+    """Who says how fine a mesh is; a study of convergence refines it on."""
+
+    __slots__ = ()
+    _FIELDS = ("fillet_elements", "size",)
+
+    @property
+    def fillet_elements(self) -> Literal['usual', 'file', 'asked', 'asked-before-file']:
+        """Of the elements across a fillet."""
+        return self._get("fillet_elements")  # type: ignore[no-any-return]
+
+    @property
+    def size(self) -> Literal['usual', 'file', 'asked', 'asked-before-file']:
+        """Of the size of the elements."""
+        return self._get("size")  # type: ignore[no-any-return]
+
+
 class MeshQuality(Record):
     """What a mesh is like."""
 
@@ -7372,7 +7730,12 @@ class PeriodicResult(Record):
     """How the search for a periodic motion ended."""
 
     __slots__ = ()
-    _FIELDS = ("iterations", "multipliers", "outcome", "residual",)
+    _FIELDS = ("followed", "iterations", "multipliers", "outcome", "residual",)
+
+    @property
+    def followed(self) -> Followed | None:
+        """How far the motion was followed from the start, where Newton did not find it from there."""
+        return self._of("followed", Followed)  # type: ignore[no-any-return]
 
     @property
     def iterations(self) -> int:
@@ -7381,7 +7744,7 @@ class PeriodicResult(Record):
 
     @property
     def multipliers(self) -> FloatArray:
-        """Multipliers by falling size: real and imaginary part."""
+        """Multipliers by falling size: real and imaginary part; empty where there are none to tell."""
         return self._array("multipliers")  # type: ignore[no-any-return]
 
     @property
@@ -7776,7 +8139,7 @@ class Ranking(Record):
     _FIELDS = ("criterion", "places",)
 
     @property
-    def criterion(self) -> Literal['force', 'couple', 'roll-moment', 'mount-force', 'firing-unevenness', 'torque-unevenness', 'flywheel', 'added-unbalance', 'shafts']:
+    def criterion(self) -> Literal['force', 'couple', 'roll-moment', 'mount-force', 'firing-unevenness', 'torque-unevenness', 'flywheel', 'added-unbalance', 'shafts', 'main-film', 'crankpin-film', 'rule-safety', 'fillet-safety']:
         """By what."""
         return self._get("criterion")  # type: ignore[no-any-return]
 
@@ -10188,6 +10551,23 @@ class TurningInertia(Record):
     def flywheel(self) -> float:
         """Flywheel with clutch, and whatever turns rigidly with crankshaft 1 [kg m^2]."""
         return self._get("flywheel")  # type: ignore[no-any-return]
+
+
+class Unmeasured(Record):
+    """Why a criterion has no number."""
+
+    __slots__ = ()
+    _FIELDS = ("reason", "remedy",)
+
+    @property
+    def reason(self) -> str:
+        """What is missing or cannot be computed."""
+        return self._get("reason")  # type: ignore[no-any-return]
+
+    @property
+    def remedy(self) -> str:
+        """What would give it."""
+        return self._get("remedy")  # type: ignore[no-any-return]
 
 
 class VariedInput(Record):
