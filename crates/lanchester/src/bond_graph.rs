@@ -4,11 +4,12 @@ use crate::inertias::{rotor_inertia, shaped_crankshafts};
 use crate::pressure::cylinders::cylinder_gas;
 use crate::pressure::error::GasError;
 use crate::pressure::measured::TraceFile;
+use crate::simulation::gas_torque::mean_and_friction;
 use lanchester_bondgraph::{
     Curve, Description, EngineBlock, EngineDrive, EngineGraphError, EngineJoints, EngineLink, EngineLoad,
     EngineRequest, EngineStarter, GasStates, LoadTorque, Unit, engine_graph,
 };
-use lanchester_mechanism::{CylinderGas, GasTrain, Lever, LoadError, TorqueError, TorqueRequest, torque};
+use lanchester_mechanism::{CylinderGas, LoadError, TorqueError};
 use lanchester_model::{
     Action, BlockKind, Engine, ImposedAgainst, ReactsOn, RunLength, SimulationInput, SpeedKind, StartOfBlock,
     StateTolerances,
@@ -178,23 +179,7 @@ pub fn engine_bond_graph(
             found.pressures = gauge_pressures(&report.cylinders);
             notes.push(format!("Gas: pressures at {:.0} rpm, whatever the speed.", reference * 30.0 / PI));
         }
-        mean = GasTrain::new(engine, &report.cylinders, Lever::Exact)?.mean_torques().iter().sum();
-        if let Some(friction) = engine.friction {
-            let asked = TorqueRequest {
-                speed: Some(reference),
-                samples: 4,
-                max_order: 1,
-                ..TorqueRequest::default()
-            };
-            let given = torque(engine, &report.cylinders, &asked)?;
-            let brake = given.indicated.brake(&friction, reference);
-            found.friction_torque = (given.indicated.torque - brake.torque).max(0.0);
-            notes.push(format!(
-                "Friction: {:.4} N m, its mean effective pressure at {:.0} rpm as a constant torque.",
-                found.friction_torque,
-                reference * 30.0 / PI
-            ));
-        }
+        [mean, found.friction_torque] = mean_and_friction(engine, &report.cylinders, reference, &mut notes)?;
     }
     let law = match (&request.load, &input.load) {
         (Some(law), _) => law.clone(),

@@ -1,6 +1,7 @@
 //! A run of the multibody simulation with the gas, friction and block of an engine file.
 
 pub(crate) mod crank_bodies;
+pub(crate) mod gas_torque;
 pub(crate) mod plan;
 pub(crate) mod prepared;
 

@@ -5,9 +5,10 @@ use crate::inertias::rotor_inertia;
 use crate::pressure::cylinders::GasReport;
 use crate::pressure::measured::TraceFile;
 use crate::pressure::simulated::gas_over_speed;
+use crate::simulation::gas_torque::mean_and_friction;
 use crate::simulation::plan::{RunPlan, SimulateRequest, plan};
 use lanchester_file::EngineFile;
-use lanchester_mechanism::{GasTrain, Lever, LoadError, TorqueRequest, torque};
+use lanchester_mechanism::LoadError;
 use lanchester_model::RunLength;
 use lanchester_multibody::{Drive, Load, LoadLaw, ReactsOn, Simulation, Train};
 use std::f64::consts::PI;
@@ -68,21 +69,7 @@ pub(crate) fn prepare(
     }
     let mut mean = 0.0;
     if let Some(report) = reports.get(own) {
-        mean = GasTrain::new(engine, &report.cylinders, Lever::Exact)?.mean_torques().iter().sum();
-        if let Some(friction) = engine.friction {
-            let found = torque(
-                engine,
-                &report.cylinders,
-                &TorqueRequest { speed: Some(speed), samples: 4, max_order: 1, ..TorqueRequest::default() },
-            )?;
-            let brake = found.indicated.brake(&friction, speed);
-            simulation.friction_torque = (found.indicated.torque - brake.torque).max(0.0);
-            notes.push(format!(
-                "Friction: {:.4} N m, its mean effective pressure at {:.0} rpm as a constant torque.",
-                simulation.friction_torque,
-                speed * 30.0 / PI
-            ));
-        }
+        [mean, simulation.friction_torque] = mean_and_friction(engine, &report.cylinders, speed, &mut notes)?;
         simulation.governor = input.and_then(|input| input.governor);
     } else if input.is_some_and(|input| input.governor.is_some()) {
         notes.push("Without gas the governor has nothing to act on: it is left out.".to_owned());

@@ -143,7 +143,7 @@ fn swing_note(result: &mut TorsionResult) {
     let largest = result.sweep.pendulums.iter().map(|pendulum| peak(&pendulum.swing).1).fold(0.0, f64::max);
     if largest > LARGE_SWING {
         result.notes.push(format!(
-            "pendulums swing by +-{:.0} deg, beyond the linear theory: their order falls with the swing",
+            "pendulums swing by ±{:.0} deg, beyond the linear theory: their order falls with the swing",
             largest.to_degrees()
         ));
     }

@@ -5,7 +5,7 @@ use crate::powered::History;
 use crate::run::result::RunOutcome;
 use crate::run::runner::Runner;
 use crate::simulation::Drive;
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{DMatrix, DVector, Schur};
 
 /// Newton's iterations.
 pub(super) const ITERATIONS: usize = 30;
@@ -32,10 +32,12 @@ const NEUTRAL: f64 = 1e-6;
 /// Largest change of the speed in one of Newton's steps, as a share of the speed: farther away the derivative says nothing.
 const FARTHEST: f64 = 0.25;
 
-/// Eigenvalues of the map's derivative by falling size.
+/// Eigenvalues of the map's derivative by falling size; empty where they are not found.
 pub(super) fn multipliers(slope: &DMatrix<f64>) -> Vec<[f64; 2]> {
     let map = slope + DMatrix::identity(slope.nrows(), slope.ncols());
-    let mut all: Vec<[f64; 2]> = map.complex_eigenvalues().iter().map(|value| [value.re, value.im]).collect();
+    let Some(schur) = Schur::try_new(map, f64::EPSILON, 10_000) else { return Vec::new() };
+    let mut all: Vec<[f64; 2]> =
+        schur.complex_eigenvalues().iter().map(|value| [value.re, value.im]).collect();
     all.sort_by(|a, b| b[0].hypot(b[1]).total_cmp(&a[0].hypot(a[1])));
     all
 }
@@ -181,16 +183,19 @@ impl<'a> Search<'a> {
 
     /// What kind of motion was found at `x`.
     pub fn outcome(&mut self, x: &DVector<f64>) -> PeriodicOutcome {
-        if self.has_past() {
-            let dies_out = self.dies_out(x);
-            return if dies_out { PeriodicOutcome::Stable } else { PeriodicOutcome::Unstable };
+        if x.is_empty() {
+            return PeriodicOutcome::Stable;
         }
-        if self.at_motion.is_none() {
+        if !self.has_past() && self.at_motion.is_none() {
             let change = self.change(x);
             self.at_motion = change.and_then(|change| self.slope(x, &change, true));
         }
         let multipliers = self.at_motion.as_ref().map_or_else(Vec::new, multipliers);
-        let largest = multipliers.first().map_or(0.0, |m| m[0].hypot(m[1]));
+        let Some(largest) = multipliers.first().map(|m| m[0].hypot(m[1])).filter(|_| !self.has_past()) else {
+            // With a past, or without multipliers, a small departure is followed.
+            let dies_out = self.dies_out(x);
+            return if dies_out { PeriodicOutcome::Stable } else { PeriodicOutcome::Unstable };
+        };
         // What the noise of the map does to its differences.
         let neutral = NEUTRAL.max(self.residual / SHARE);
         match largest {

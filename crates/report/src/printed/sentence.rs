@@ -91,10 +91,8 @@ fn numbers(text: &str) -> Vec<Printed> {
     while at < text.len() {
         let letter = text[at..].chars().next().unwrap_or(' ');
         let behind = text[..at].chars().next_back();
-        // `+-3` is both signs before one number.
         let apart = behind.is_none_or(|b| match b {
-            '+' => letter == '-',
-            '_' | '.' | '-' | '\u{2212}' | '^' | '/' => false,
+            '_' | '.' | '+' | '-' | '\u{2212}' | '^' | '/' => false,
             other => !other.is_alphanumeric(),
         });
         let begins = letter.is_ascii_digit() || matches!(letter, '-' | '\u{2212}' | '+');
@@ -172,7 +170,7 @@ mod tests {
             ("2.500, 3.800 and\n2.300 kg m\u{b2} about x", "59.33, 90.18 and\n54.58 lb ft^2 about x"),
             ("at x = 68.10, y = 0, z = 0 mm: ", "at x = 2.681, y = 0, z = 0 in: "),
             ("no. 2, 80 mm", "no. 2, 3.15 in"),
-            ("at most +-86.5 MPa", "at most +-12.5 ksi"),
+            ("at most ±86.5 MPa", "at most ±12.5 ksi"),
             ("within -1.5e-3 kg m2", "within -3.6e-2 lb ft^2"),
             ("4.00 Hz and 30 deg", "4.00 Hz and 30 deg"),
             ("`-1 @ 0 mm, 100 mm` has 5 N", "`-1 @ 0 mm, 100 mm` has 1.12 lbf"),

@@ -25,7 +25,7 @@ impl TorsionResult {
         }
         let (at, twist) = peak(&sweep.twist.total);
         out += &format!(
-            "The twist between nose and flywheel is at most +-{} deg, at {} rpm",
+            "The twist between nose and flywheel is at most ±{} deg, at {} rpm",
             number::short(DEGREES * twist, 3),
             rpm(at)
         );
@@ -33,7 +33,7 @@ impl TorsionResult {
         let (at, stress) = peak(&stresses);
         if stress > 0.0 {
             out += &format!(
-                "; the nominal shear stress at most +-{} MPa, at {} rpm",
+                "; the nominal shear stress at most ±{} MPa, at {} rpm",
                 number::short(1e-6 * stress, 3),
                 rpm(at)
             );
@@ -54,7 +54,7 @@ impl TorsionResult {
             };
             let verdict = if limit.is_kept() { "kept" } else { "not kept" };
             out.push(format!(
-                "Limit of the {name} +-{} {unit}: {verdict}, +-{} {unit} at {} rpm.",
+                "Limit of the {name} ±{} {unit}: {verdict}, ±{} {unit} at {} rpm.",
                 number::short(scale * limit.allowed, 3),
                 number::short(scale * limit.found, 3),
                 number::terminal(number::rpm(limit.speed), 0)
