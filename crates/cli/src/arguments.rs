@@ -160,7 +160,7 @@ pub enum Command {
                             lanchester balance twin.toml --most-optional 1 --shaft '-1 @ 0 mm, 100 mm @ 0 mm @ optional, most 0.02 kg m' \
                             --shaft '1 @ 0 mm, -100 mm @ 0 mm @ optional, most 0.02 kg m'\n  \
                             lanchester balance twin.toml --cancel 'force order 1' --shaft '-1 @ 0 mm, 100 mm @ 0 mm'\n  \
-                            lanchester balance four.toml --maximise 'main-bearing film'\n  \
+                            lanchester balance four.toml --maximise 'main-bearing film' --most-evaluations 60\n  \
                             lanchester balance four.toml --at-least 'main-bearing film = 0.5 um'\n  \
                             lanchester balance twin.toml --dry-run\n  lanchester balance twin.toml --write\n  \
                             lanchester balance twin.toml --search --limit 'force = 5 kN' --figures figures\n  \
@@ -219,7 +219,7 @@ pub enum Command {
         after_help = "Examples:\n  lanchester scatter four.toml\n  lanchester scatter four.toml --samples 100000 --seed 7 --figures figures\n  \
                             lanchester scatter four.toml --limit 'force order 1 = 800 N' --limit 'couple order 1 = 80 N m'\n  \
                             lanchester scatter four.toml --orders-only --format json > scatter.json\n  \
-                            lanchester scatter four.toml --samples 500000 --save engines.parquet\n\n\
+                            lanchester scatter four.toml --samples 100000 --save engines.parquet\n\n\
                             Exit status 1: the production does not keep a limit."
     )]
     Scatter(ScatterArguments),

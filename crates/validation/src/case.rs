@@ -7,6 +7,7 @@ use crate::inputs::inputs;
 use crate::shape::ShapeFit;
 use crate::source::{Change, Edit, KinematicsName, NewValue};
 use crate::stress::{StressFit, StressRun};
+use crate::value::Ours;
 use lanchester::file::workshop::read_sheet;
 use lanchester::file::{EngineFile, read};
 use lanchester::mechanism::{Kinematics, LoadRequest, Loads, Part, PeakMode, loads};
@@ -56,6 +57,8 @@ impl Run {
 #[derive(Default)]
 pub(crate) struct Bench {
     runs: HashMap<String, Arc<Run>>,
+    /// Values of cells by all that they depend on.
+    pub values: HashMap<String, Result<Ours, String>>,
 }
 
 impl Bench {

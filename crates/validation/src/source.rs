@@ -80,7 +80,7 @@ pub(crate) struct Row {
 }
 
 /// What a row is compared with.
-#[derive(Deserialize, Default)]
+#[derive(Debug, Deserialize, Default)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Over {
     #[serde(default)]
@@ -94,7 +94,7 @@ pub(crate) struct Over {
 }
 
 /// How two values are compared, in per cent.
-#[derive(Deserialize, Clone, Copy)]
+#[derive(Debug, Deserialize, Clone, Copy)]
 #[serde(rename_all = "kebab-case")]
 pub(crate) enum Comparison {
     /// 100 (value/reference - 1).
@@ -247,7 +247,7 @@ impl Cell {
 }
 
 /// An engine file, a named change of the source, or a change written out.
-#[derive(Deserialize, Clone)]
+#[derive(Debug, Deserialize, Clone)]
 #[serde(untagged)]
 pub(crate) enum Edit {
     Named(String),
@@ -258,7 +258,7 @@ pub(crate) enum Edit {
 pub(crate) type Change = BTreeMap<String, NewValue>;
 
 /// What a change puts in a place.
-#[derive(Deserialize, Clone)]
+#[derive(Debug, Deserialize, Clone)]
 #[serde(untagged)]
 pub(crate) enum NewValue {
     Gone(()),
@@ -286,7 +286,7 @@ impl fmt::Display for Edit {
 }
 
 /// Motion as the data files name it.
-#[derive(Deserialize, Clone, Copy)]
+#[derive(Debug, Deserialize, Clone, Copy)]
 #[serde(untagged)]
 pub(crate) enum KinematicsName {
     Series { orders: u32, powers: u32 },
@@ -294,7 +294,7 @@ pub(crate) enum KinematicsName {
 }
 
 /// The one motion that has a name.
-#[derive(Deserialize, Clone, Copy)]
+#[derive(Debug, Deserialize, Clone, Copy)]
 #[serde(rename_all = "kebab-case")]
 pub(crate) enum ExactName {
     Exact,

@@ -15,3 +15,11 @@ impl Value {
         }
     }
 }
+
+/// Our value of a cell.
+#[derive(Debug, Clone)]
+pub(crate) struct Ours {
+    pub value: Value,
+    /// Whether it is an input, unchanged.
+    pub is_input: bool,
+}

@@ -89,3 +89,28 @@ impl Convergence {
         )
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use lanchester_flex::richardson::richardson;
+
+    #[test]
+    fn a_number_has_its_three_meshes_and_its_band() {
+        let mesh = |size: f64| ConvergenceMesh { size, fillet_elements: 4, nodes: 12_000, unknowns: 36_000 };
+        let sizes = [0.009, 0.006, 0.004];
+        let number = ConvergedNumber {
+            name: "case 1: energy".to_owned(),
+            unit: "J".to_owned(),
+            scale: 1.0,
+            // An error of second order.
+            found: richardson(sizes, sizes.map(|size| 2.0 - 1e4 * size * size)),
+        };
+        let found = Convergence { meshes: sizes.map(mesh), numbers: vec![number] };
+        let text = found.table().text();
+        for words in ["Convergence", "case 1: energy", "1.19", "1.64", "1.84", "2.0", "2.000 ± 0.20 (10 %)"]
+        {
+            assert!(text.contains(words), "{words}: {text}");
+        }
+    }
+}

@@ -291,18 +291,11 @@ fn a_mesh_of_its_own_takes_the_place_of_the_body() {
 #[test]
 fn three_meshes_give_a_band() {
     let folder = engine("stress-converge", str::to_owned);
-    let rest = ["static", "--force", "1: -20 kN", "--converge", "--figures", "pictures"];
-    let all = [&["stress", rest[0], "engine.toml", "--size", "30 mm", "--fillet-elements", "2"], &rest[1..]]
-        .concat();
-    // The words of a mesh with larger elements are the same.
-    let large = ["--size", "60 mm", "--fillet-elements", "2"];
-    let text = output(&folder, 0, &[&["stress", rest[0], "engine.toml"], &large[..], &rest[1..]].concat());
-    for words in ["Convergence", "case 1: energy", "pin 1 at web 1: von Mises", " ± "] {
-        assert!(text.contains(words), "{words}: {text}");
-    }
+    let size = ["--size", "30 mm", "--fillet-elements", "2"];
+    let rest = ["--force", "1: -20 kN", "--converge", "--figures", "pictures", "--format", "json"];
+    let json = output_json(&folder, 0, &[&["stress", "static", "engine.toml"], &size[..], &rest].concat());
     let picture = fs::read_to_string(folder.join("pictures/stress-contours.svg")).unwrap();
     assert!(picture.contains("<path style=\"fill:#") && picture.contains("MPa"));
-    let json = output_json(&folder, 0, &[&all[..], &["--format", "json"]].concat());
     let numbers = json["convergence"]["numbers"].as_array().unwrap();
     assert_eq!(numbers.len(), 2 + 4);
     let energy = &numbers[1]["found"];
