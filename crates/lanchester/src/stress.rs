@@ -22,7 +22,7 @@ pub use deck::solve_deck;
 pub use export::{case_deck, case_glb, case_stl, case_vtu, modes_deck, modes_glb, modes_vtu};
 pub use fatigue::{FatigueRequest, crank_fatigue};
 pub use file_case::stress_case;
-pub use mesh::{MeshFile, StressMesh};
+pub use mesh::{MOST_NODES, MeshFile, StressMesh};
 pub use reduce::reduced_crank;
 pub use request::{
     GivenForce, ModesRequest, StaticRequest, StressError, StressLoad, StressStage, support_words,

@@ -25,7 +25,7 @@ fn meshes(mesh: &StressMesh) -> Result<[StressMesh; 3], StressError> {
     Ok(std::array::from_fn(|k| {
         let size = mesh.options.size / REFINED[k];
         let options = CrankMeshOptions { size, fillet_elements: counts[k], ..mesh.options };
-        StressMesh { options, ..mesh.clone() }
+        StressMesh { options, ..mesh.clone() }.held()
     }))
 }
 

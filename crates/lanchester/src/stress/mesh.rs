@@ -1,9 +1,14 @@
 //! Which crankshaft is meshed, how fine, and who says so.
 
-use lanchester_flex::crank_mesh::CrankMeshOptions;
+use lanchester_flex::FlexError;
+use lanchester_flex::crank_mesh::{CrankMesh, CrankMeshOptions, crank_mesh};
+use lanchester_model::Engine;
 use lanchester_report::{MeshOrigin, MeshOrigins};
 use lanchester_task::StressTask;
 use std::sync::Arc;
+
+/// Nodes of a mesh of which nobody says how many elements it has across a fillet: what an ordinary computer solves in minutes and in 6 GiB.
+pub const MOST_NODES: usize = 220_000;
 
 /// Which crankshaft, how fine.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -51,6 +56,34 @@ impl StressMesh {
             own,
         }
     }
+
+    /// The same, for one mesh of a study that asks for each of its meshes: its elements across a fillet stay as they are.
+    pub(crate) fn held(self) -> StressMesh {
+        let fillet_elements = match self.origins.fillet_elements {
+            MeshOrigin::Usual => MeshOrigin::Asked,
+            said => said,
+        };
+        StressMesh { origins: MeshOrigins { fillet_elements, ..self.origins }, ..self }
+    }
+
+    /// Meshes the crankshaft from its body. Where nobody says how many elements stand across a fillet, there are as many as usual, or as [`MOST_NODES`]
+    /// and sound elements leave room for: 2 at least.
+    pub(crate) fn meshed(&self, engine: &Engine) -> Result<(CrankMesh, StressMesh), FlexError> {
+        let mut own = self.clone();
+        let nobody_says = own.options.fillets && own.origins.fillet_elements == MeshOrigin::Usual;
+        loop {
+            let found = crank_mesh(engine, own.crankshaft, own.options);
+            let is_too_fine = match &found {
+                Ok(found) => found.mesh.nodes.len() > MOST_NODES,
+                Err(error) => matches!(error, FlexError::Inverted { .. }),
+            };
+            if !(is_too_fine && nobody_says && own.options.fillet_elements > 2) {
+                return Ok((found?, own));
+            }
+            own.options.fillet_elements -= 2;
+            own.origins.fillet_elements = MeshOrigin::Fitted;
+        }
+    }
 }
 
 /// `has_mesh`: whether the file names a mesh of its own.
@@ -87,6 +120,23 @@ mod tests {
         );
         let usual = CrankMeshOptions { fillet_elements: 2, ..CrankMeshOptions::default() };
         assert_eq!(StressMesh::of(None, 0, None, None, usual).options, usual);
+    }
+
+    #[test]
+    fn a_crankshaft_of_many_throws_has_fewer_elements_where_nobody_says_how_many() {
+        let text = include_str!("../../../../examples/in-line-4-crank-by-elements.toml");
+        let engine = lanchester_file::read(text).engine().expect("the example has no mistakes");
+        let fine = CrankMeshOptions { fillet_elements: 4, ..CrankMeshOptions::default() };
+        let (found, own) = StressMesh::of(None, 0, None, None, fine).meshed(&engine).expect("it is meshed");
+        assert!(found.mesh.nodes.len() <= MOST_NODES && own.options.fillet_elements == 2, "{own:?}");
+        assert_eq!(own.origins.fillet_elements, MeshOrigin::Fitted);
+        // One more pair would be too many.
+        let more = CrankMeshOptions { fillet_elements: own.options.fillet_elements + 2, ..own.options };
+        let asked = StressMesh::of(None, 0, None, Some(more.fillet_elements), more);
+        let (found, asked) = asked.meshed(&engine).expect("it is meshed");
+        assert!(found.mesh.nodes.len() > MOST_NODES);
+        // What is asked for stays.
+        assert_eq!((asked.options, asked.origins.fillet_elements), (more, MeshOrigin::Asked));
     }
 
     #[test]

@@ -10,7 +10,6 @@ use crate::stress::request::{
 use lanchester_flex::Material;
 use lanchester_flex::case::StaticCase;
 use lanchester_flex::crank_case::{BearingSurfaces, CrankLoad, CrankSupport, crank_support};
-use lanchester_flex::crank_mesh::crank_mesh;
 use lanchester_flex::crank_solve::solve_crank_watched;
 use lanchester_flex::modes::{ModeKind, modes_watched};
 use lanchester_flex::own_mesh::own_mesh;
@@ -131,11 +130,14 @@ pub(crate) fn sheet(
     mesh: &StressMesh,
     watch: &dyn Fn(StressStage),
 ) -> Result<CrankSheet, StressError> {
-    let crank = match &mesh.own {
-        None => crank_mesh(engine, mesh.crankshaft, mesh.options)?,
+    let (crank, mesh) = match &mesh.own {
+        None => mesh.meshed(engine)?,
         Some(MeshFile { name, text: None }) => return Err(StressError::MeshNotRead { name: name.clone() }),
-        Some(MeshFile { name, text: Some(text) }) => own_mesh(text, &own_mesh_plan(engine, mesh.crankshaft))
-            .map_err(|error| StressError::MeshFile { name: name.clone(), error: Box::new(error) })?,
+        Some(MeshFile { name, text: Some(text) }) => {
+            let found = own_mesh(text, &own_mesh_plan(engine, mesh.crankshaft))
+                .map_err(|error| StressError::MeshFile { name: name.clone(), error: Box::new(error) })?;
+            (found, mesh.clone())
+        }
     };
     watch(StressStage::Meshed(crank.mesh.nodes.len(), crank.mesh.elements.len()));
     let elastic = crank.mesh.materials.first().cloned().unwrap_or_else(Material::steel);

@@ -45,6 +45,8 @@ pub enum MeshOrigin {
     /// Nobody: the usual number.
     #[default]
     Usual,
+    /// Nobody: fewer than usual, so that the mesh is sound and can be solved on an ordinary computer.
+    Fitted,
     /// The engine file.
     File,
     /// The request; the file says nothing.
@@ -58,6 +60,9 @@ impl MeshOrigin {
     fn words(self) -> Option<&'static str> {
         match self {
             MeshOrigin::Usual | MeshOrigin::Asked => None,
+            MeshOrigin::Fitted => Some(
+                "fewer than usual, for a sound mesh that is solved in minutes: stresses of fillets are coarse, and more elements can be asked for",
+            ),
             MeshOrigin::File => Some("as [crank.mesh] of the engine file says"),
             MeshOrigin::AskedBeforeFile => {
                 Some("as asked for, before that of [crank.mesh] in the engine file")
