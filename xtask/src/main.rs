@@ -6,6 +6,7 @@ mod browser;
 mod ci;
 mod claims;
 mod command;
+mod dist;
 mod documents;
 mod engines;
 mod fuzz;
@@ -46,6 +47,8 @@ tasks of the workspace
   cargo xtask python [--dev] [--write]          the Python package: wheel, types, tests, doctests, notebooks, in an environment below the target
                                                 folder; --dev without optimisation, --write writes its generated types
   cargo xtask wheel                             build the wheel of the Python package into target/wheels
+  cargo xtask dist                              build the release archive, and with dpkg-deb the Debian package, into target/dist: program, binary of units,
+                                                completions, manual pages, examples, book
   cargo xtask reports                           open the reports of all examples in a browser
   cargo xtask pictures                          draw the pictures of the studio's guide anew, in a browser
   cargo xtask notices                           write the notices of third parties anew
@@ -107,6 +110,10 @@ fn task(arguments: &[String]) -> Result<()> {
         }
         Some("wheel") if rest.is_empty() => {
             println!("{}", python::wheel()?.display());
+            Ok(())
+        }
+        Some("dist") if rest.is_empty() => {
+            println!("{}", dist::build()?);
             Ok(())
         }
         Some("reports") if rest.is_empty() => {

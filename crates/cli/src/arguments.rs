@@ -247,6 +247,18 @@ pub enum Command {
     /// Print the licences and notices of everything by others that the program and its page contain.
     #[command(after_help = "Examples:\n  lanchester licences > third-party.txt")]
     Licences,
+    /// Print the script by which a shell completes commands, options and their values.
+    #[command(after_help = "Examples:\n  lanchester completions bash > lanchester.bash\n  \
+                            lanchester completions zsh > _lanchester\n  \
+                            lanchester completions fish > lanchester.fish\n  \
+                            lanchester completions powershell > lanchester.ps1")]
+    Completions(CompletionsArguments),
+    /// Print the manual page of the program or of a command, for `man`.
+    #[command(after_help = "Examples:\n  lanchester manual > lanchester.1\n  \
+                            lanchester manual loads > lanchester-loads.1\n  \
+                            lanchester manual counterweight design > lanchester-counterweight-design.1\n  \
+                            lanchester manual --list")]
+    Manual(ManualArguments),
     /// A bond graph: its causality, equations, poles, simulation, energy audit, drawing, and text for other programs.
     #[command(
         after_help = "Examples:\n  lanchester bondgraph slider-crank.toml\n  lanchester bondgraph equations slider-crank.toml --notation latex\n  \
@@ -589,4 +601,23 @@ pub struct SchemaArguments {
     /// The workshop sheet instead of the engine file.
     #[arg(long)]
     pub sheet: bool,
+}
+
+/// `completions`
+#[derive(Debug, Args)]
+pub struct CompletionsArguments {
+    /// Shell that completes.
+    #[arg(value_name = "SHELL", value_enum)]
+    pub shell: clap_complete::Shell,
+}
+
+/// `manual`
+#[derive(Debug, Args)]
+pub struct ManualArguments {
+    /// The command, in one word or two; default: the program.
+    #[arg(value_name = "COMMAND")]
+    pub command: Vec<String>,
+    /// List all that have a page instead, a line each.
+    #[arg(long, conflicts_with = "command")]
+    pub list: bool,
 }

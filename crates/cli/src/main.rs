@@ -85,6 +85,8 @@ fn main() -> ExitCode {
         Command::Validate(arguments) => commands::validate::run(&arguments),
         Command::Schema(arguments) => commands::schema::run(&arguments),
         Command::Licences => commands::licences::run(),
+        Command::Completions(arguments) => commands::shell::completions::run(&arguments),
+        Command::Manual(arguments) => commands::shell::manual::run(&arguments),
         Command::Bondgraph(arguments) => commands::bondgraph::run(&arguments, colour),
         Command::Workshop(arguments) => commands::workshop::run(&arguments, colour),
     };

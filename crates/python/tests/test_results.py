@@ -168,6 +168,16 @@ def test_tables_go_to_pandas_arrow_and_duckdb() -> None:
         Engine.template("in-line-4").loads().table("nothing")
 
 
+def test_plots_of_loads_show_rounding_as_nothing() -> None:
+    # The sixth order is the first that the throws of a six leave; a twin of throws in line has no couple.
+    for name, balanced in (("in-line-6", ("couple",)), ("twin-360", ("couple",)), ("twin-180", ())):
+        by_order = dict(zip(("force", "couple"), Engine.template(name).loads().plot().axes, strict=False))
+        for what, axes in by_order.items():
+            highest = float(axes.dataLim.y1)
+            assert (highest == 0.0) == (what in balanced), (name, what, highest)
+            assert axes.get_ylim()[0] == 0.0 and axes.get_ylim()[1] >= highest
+
+
 def test_every_plot_is_drawn(all_results: dict[str, Result], tmp_path: Path) -> None:
     from lanchester import plots
 

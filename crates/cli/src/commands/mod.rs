@@ -19,6 +19,7 @@ pub mod report;
 pub mod scatter;
 pub mod schema;
 pub mod sensitivity;
+pub mod shell;
 pub mod show;
 pub mod simulate;
 pub mod stress;

@@ -20,6 +20,7 @@ mod printed;
 mod program;
 mod scatter;
 mod sensitivity;
+mod shell;
 mod simulate;
 mod simulate_more;
 mod studio;

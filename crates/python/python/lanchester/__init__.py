@@ -7,8 +7,7 @@
 'optimal'
 """
 
-from __future__ import annotations
-
+from . import _version  # noqa: F401  refuses a Python that is too old, before the compiled part is loaded
 from . import results
 from ._native import VERSION as __version__
 from ._record import Picture, Record, Records, Result

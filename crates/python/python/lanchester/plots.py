@@ -44,20 +44,35 @@ def _size(values: Any) -> Any:
     return np.linalg.norm(np.asarray(values, dtype=np.float64), axis=-1)
 
 
+def _noise(loads: results.Loads) -> dict[str, float]:
+    """Below these a force [N] and a couple [N m] are rounding, by the rule of the tables: a billionth of the largest of the whole, of any part
+    or cylinder; couples at least a centimetre times the force."""
+    sets = [loads.total, *(part.loads for part in loads.parts), *(own.loads for own in loads.cylinders)]
+    force, couple = (max(getattr(own.peaks, what).max.value for own in sets) for what in ("force", "couple"))
+    return {"force": 1e-9 * force, "couple": 1e-9 * max(couple, 0.01 * force)}
+
+
+def _clean(values: Any, noise: float) -> Any:
+    return np.where(np.asarray(values) > noise, values, 0.0)
+
+
 def _loads(loads: results.Loads, figure: Figure) -> None:
+    noise = _noise(loads)
     left, middle, right = figure.subplots(1, 3, width_ratios=(1, 1, 1.4))
     orders = [order for order in loads.total.orders if 0 < order.order <= 6]
     at = np.array([order.order for order in orders])
     for axes, what, unit in ((left, "force", "N"), (middle, "couple", "N m")):
         for side, shift, colour in (("forward", -0.2, FORWARD), ("backward", 0.2, BACKWARD)):
             sizes = [_size(getattr(order, f"{what}_{side}")) for order in orders]
-            axes.bar(at + shift, sizes, 0.4, color=colour, label=side)
+            axes.bar(at + shift, _clean(sizes, noise[what]), 0.4, color=colour, label=side)
         axes.set(title=f"{what.capitalize()} by order", xlabel="order", ylabel=f"{what} [{unit}]")
+        if axes.dataLim.y1 == 0.0:
+            axes.set_ylim(0.0, 1.0)
     left.legend(frameon=False)
     trace = loads.total.trace
     turn = np.asarray(trace.theta) / DEGREE
-    right.plot(turn, np.hypot(trace.force_x, trace.force_y), color=FORWARD, label="force [N]")
-    right.plot(turn, np.hypot(trace.couple_x, trace.couple_y), color=BACKWARD, label="couple [N m]")
+    right.plot(turn, _clean(np.hypot(trace.force_x, trace.force_y), noise["force"]), color=FORWARD, label="force [N]")
+    right.plot(turn, _clean(np.hypot(trace.couple_x, trace.couple_y), noise["couple"]), color=BACKWARD, label="couple [N m]")
     right.set(title=f"{loads.engine}, {loads.speed / RPM:.0f} rpm", xlabel="crank angle [deg]")
     right.legend(frameon=False)
 
