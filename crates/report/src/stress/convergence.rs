@@ -108,7 +108,7 @@ mod tests {
         };
         let found = Convergence { meshes: sizes.map(mesh), numbers: vec![number] };
         let text = found.table().text();
-        for words in ["Convergence", "case 1: energy", "1.19", "1.64", "1.84", "2.0", "2.000 ± 0.20 (10 %)"]
+        for words in ["Convergence", "case 1: energy", "1.19", "1.64", "1.84", "2.0", "2.000 ± 0.20 (10.0 %)"]
         {
             assert!(text.contains(words), "{words}: {text}");
         }
