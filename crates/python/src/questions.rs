@@ -6,6 +6,7 @@ mod in_time;
 mod layouts;
 mod loads;
 mod studies;
+mod torsion;
 mod turning;
 mod workshop;
 
@@ -20,7 +21,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 fn all() -> impl Iterator<Item = &'static Question> {
-    let lists: [&'static [Question]; 8] = [
+    let lists: [&'static [Question]; 9] = [
         &loads::QUESTIONS,
         &turning::QUESTIONS,
         &balancing::QUESTIONS,
@@ -28,6 +29,7 @@ fn all() -> impl Iterator<Item = &'static Question> {
         &layouts::QUESTIONS,
         &in_time::QUESTIONS,
         &crankshaft::QUESTIONS,
+        &torsion::QUESTIONS,
         &workshop::QUESTIONS,
     ];
     lists.into_iter().flatten()

@@ -69,7 +69,9 @@ def test_no_panic_crosses() -> None:
 
 def test_ctrl_c_stops_a_search() -> None:
     script = (
-        "import lanchester, sys\n"
+        "import lanchester, signal\n"
+        # A shell that puts the tests into the background has their interrupts ignored.
+        "signal.signal(signal.SIGINT, signal.default_int_handler)\n"
         "engine = lanchester.Engine.template('in-line-4').with_(tolerances={'piston_mass': {'plus_minus': '2 g'}})\n"
         "print('ready', flush=True)\n"
         "try:\n"

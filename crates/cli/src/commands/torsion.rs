@@ -21,7 +21,7 @@ use lanchester::report::{
 };
 use lanchester::task::option;
 use lanchester::torsion::{TuneAim, TuneFree};
-use lanchester::{StressMesh, TorsionRequest, throw_stiffnesses, torsion};
+use lanchester::{TorsionRequest, meshed_throws, torsion};
 
 pub fn run(arguments: &TorsionArguments, colour: bool) -> Result<u8, Failure> {
     arguments.printed.check(arguments.format == Format::Text)?;
@@ -70,20 +70,8 @@ fn by_elements(
     let options = CrankMeshOptions { size, fillet_elements: 2, ..CrankMeshOptions::default() };
     let solve = SolveOptions { memory: memory(&arguments.memory)?, ..SolveOptions::default() };
     let held = arguments.throws == StiffnessOption::Held;
-    let mut notes = Vec::new();
-    for crankshaft in 0..engine.crankshafts.len() {
-        let mesh = StressMesh { crankshaft, options, ..StressMesh::default() };
-        for own in throw_stiffnesses(engine, &mesh, solve, &say).map_err(Failure::refused)? {
-            request.stiffness.push((own.throw, if held { own.held } else { own.free }));
-            notes.push(format!(
-                "throw {} by finite elements, between the middles of its journals: {:.4} MN m/rad with journals free to move aside, {:.4} MN m/rad with their middles held; taken: {}",
-                own.throw + 1,
-                1e-6 * own.free,
-                1e-6 * own.held,
-                if held { "held" } else { "free" }
-            ));
-        }
-    }
+    let (stiffness, notes) = meshed_throws(engine, options, solve, held, &say).map_err(Failure::refused)?;
+    request.stiffness = stiffness;
     Ok(notes)
 }
 

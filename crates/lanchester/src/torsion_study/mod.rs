@@ -3,8 +3,10 @@
 mod error;
 mod excitation;
 mod study;
+mod throws;
 
 pub use error::EngineTorsionError;
 pub use excitation::{engine_excitation, torque_period};
 pub(crate) use study::has_torsion;
 pub use study::{TORSION_SPEEDS, TorsionRequest, engine_chain, torsion};
+pub use throws::meshed_throws;

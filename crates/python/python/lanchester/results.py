@@ -41,11 +41,13 @@ __all__ = [
     "BoreSheet",
     "Brake",
     "Broken",
+    "Campbell",
     "Cancellation",
     "CancellationVerdict",
     "CancelledOrder",
     "Capability",
     "CatalogueHole",
+    "Chain",
     "ChamberMotion",
     "CheckedCounterweight",
     "CheckedShaftWeight",
@@ -72,6 +74,7 @@ __all__ = [
     "CounterweightShape",
     "Counts",
     "CrankCase",
+    "CrankChain",
     "CrankFatigue",
     "CrankLoad",
     "CrankMesh",
@@ -83,9 +86,11 @@ __all__ = [
     "CrankshaftBody",
     "CrankshaftMoments",
     "CrankshaftSection",
+    "Critical",
     "CriticalPlane",
     "CrossCheck",
     "CrossRow",
+    "Curve",
     "CycleResult",
     "CycleTrace",
     "CylinderBearings",
@@ -95,6 +100,8 @@ __all__ = [
     "CylinderStrokes",
     "CylinderTorque",
     "DampedMode",
+    "DampedMode2",
+    "DamperSweep",
     "Design",
     "DesignLimits",
     "DesignSettings",
@@ -155,6 +162,8 @@ __all__ = [
     "Gear",
     "GivenEngine",
     "Happened",
+    "HolzerRow",
+    "HolzerTable",
     "IncompleteInertia",
     "Index",
     "Indicated",
@@ -184,6 +193,7 @@ __all__ = [
     "MeshQuality",
     "Method",
     "Mode",
+    "Mode2",
     "ModeSolution",
     "MotionTrace",
     "MountAtRest",
@@ -204,6 +214,7 @@ __all__ = [
     "Optimum",
     "OrderLoads",
     "OrderResponse",
+    "OrderStar",
     "Outcome",
     "OutputScatter",
     "OutputSensitivity",
@@ -212,6 +223,7 @@ __all__ = [
     "Peak",
     "PeakStress",
     "Peaks",
+    "PendulumSweep",
     "Percentile",
     "PeriodicResult",
     "PinForces",
@@ -246,9 +258,12 @@ __all__ = [
     "ScatterStudy",
     "SectionRatios",
     "Sensitivity",
+    "Shaft",
     "ShaftDesign",
     "ShaftLayout",
+    "ShaftSection",
     "ShaftSet",
+    "ShaftSweep",
     "ShapeTask",
     "SharedWithWeb",
     "Similar",
@@ -266,30 +281,40 @@ __all__ = [
     "StageGiveUp",
     "StaticStress",
     "Station",
+    "Station2",
+    "StationSweep",
     "StiffnessCentre",
     "StoppedEngine",
     "StressCase",
     "StressMaterial",
     "StrokeSpan",
     "SurfacePeak",
+    "Sweep",
     "SweptOverlap",
     "SweptRoom",
     "ThrowFactor",
     "ThrowInertia",
     "ThrowMasses",
+    "ThrowParts",
     "ThrowShare",
     "ThrowSheet",
     "Tie",
     "Tightened",
+    "TimeAmplitudes",
+    "TimeCheck",
     "Tolerance",
     "Tolerances",
     "Torque",
     "TorqueAtSpeed",
     "TorqueHarmonic",
     "TorqueReport",
+    "TorsionLimit",
+    "TorsionResult",
     "Trace",
     "TrainInertia",
     "Transmissibility",
+    "TunePoint",
+    "TunedDamper",
     "TurningInertia",
     "Unmeasured",
     "VariedInput",
@@ -1606,6 +1631,33 @@ class Broken(Record):
         return self._get("constraint")  # type: ignore[no-any-return]
 
 
+class Campbell(Record):
+    """Data of a Campbell diagram."""
+
+    __slots__ = ()
+    _FIELDS = ("criticals", "frequencies", "orders", "speeds",)
+
+    @property
+    def criticals(self) -> Records[Critical]:
+        """Critical speeds within the range, by falling modal torque."""
+        return self._all("criticals", Critical)
+
+    @property
+    def frequencies(self) -> list[FloatArray]:
+        """Natural frequency of each mode at each speed [rad/s]; only pendulums make it depend on the speed."""
+        return self._rows("frequencies")  # type: ignore[no-any-return]
+
+    @property
+    def orders(self) -> FloatArray:
+        """Orders drawn."""
+        return self._array("orders")  # type: ignore[no-any-return]
+
+    @property
+    def speeds(self) -> FloatArray:
+        """Speeds [rad/s]."""
+        return self._array("speeds")  # type: ignore[no-any-return]
+
+
 class Cancellation(Record):
     """Exact cancellation: what had to vanish, and the proof that no lighter weights do it or that none can."""
 
@@ -1744,6 +1796,23 @@ class CatalogueHole(Record):
     def unbalance(self) -> float:
         """Unbalance that the hole removes, or that the slug in it adds beyond what was drilled away [kg m]."""
         return self._get("unbalance")  # type: ignore[no-any-return]
+
+
+class Chain(Record):
+    """A chain that is known to be valid: a tree of two or more stations, each with an inertia."""
+
+    __slots__ = ()
+    _FIELDS = ("shafts", "stations",)
+
+    @property
+    def shafts(self) -> Records[Shaft]:
+        """Not described."""
+        return self._all("shafts", Shaft)
+
+    @property
+    def stations(self) -> Records[Station2]:
+        """Not described."""
+        return self._all("stations", Station2)
 
 
 class ChamberMotion(Record):
@@ -2708,6 +2777,38 @@ class CrankCase(Record):
         return self._all("webs", SurfacePeak)
 
 
+class CrankChain(Record):
+    """A chain with where its numbers come from."""
+
+    __slots__ = ()
+    _FIELDS = ("chain", "ker_wilson", "notes", "parts", "throws",)
+
+    @property
+    def chain(self) -> Chain:
+        """The chain."""
+        return self._of("chain", Chain)  # type: ignore[no-any-return]
+
+    @property
+    def ker_wilson(self) -> list[float | None]:
+        """For each shaft its stiffness by Ker Wilson's lengths [N m/rad], where the crankshaft has sizes."""
+        return self._list("ker_wilson")  # type: ignore[no-any-return]
+
+    @property
+    def notes(self) -> list[str]:
+        """What the file does not say and was assumed, and what was left out."""
+        return self._list("notes")  # type: ignore[no-any-return]
+
+    @property
+    def parts(self) -> Records[ThrowParts]:
+        """Inertia of each throw by its parts."""
+        return self._all("parts", ThrowParts)
+
+    @property
+    def throws(self) -> list[int]:
+        """Station of each throw."""
+        return self._list("throws")  # type: ignore[no-any-return]
+
+
 class CrankFatigue(Result):
     """Safety against fatigue of every fillet of a crankshaft.
 
@@ -3151,6 +3252,43 @@ class CrankshaftSection(Record):
         return self._of("unbalance", Point)  # type: ignore[no-any-return]
 
 
+class Critical(Record):
+    """A speed at which an order meets a natural frequency."""
+
+    __slots__ = ()
+    _FIELDS = ("frequency", "modal_torque", "mode", "order", "speed", "work",)
+
+    @property
+    def frequency(self) -> float:
+        """Natural frequency there [rad/s]."""
+        return self._get("frequency")  # type: ignore[no-any-return]
+
+    @property
+    def modal_torque(self) -> float:
+        """Torque of this order in the mode, in true phase: `|SUM T_k phi|` [N m]."""
+        return self._get("modal_torque")  # type: ignore[no-any-return]
+
+    @property
+    def mode(self) -> int:
+        """Number of the mode, from 1."""
+        return self._get("mode")  # type: ignore[no-any-return]
+
+    @property
+    def order(self) -> float:
+        """The order."""
+        return self._get("order")  # type: ignore[no-any-return]
+
+    @property
+    def speed(self) -> float:
+        """Speed of the reference [rad/s]."""
+        return self._get("speed")  # type: ignore[no-any-return]
+
+    @property
+    def work(self) -> float:
+        """Work of a cycle of vibration at 1 rad of the largest station: `pi` times the modal torque [J]."""
+        return self._get("work")  # type: ignore[no-any-return]
+
+
 class CriticalPlane(Record):
     """A plane with what acts on it over the cycle."""
 
@@ -3275,6 +3413,28 @@ class CrossRow(Record):
     def verdict(self) -> Literal['agrees', 'differs-as-it-must', 'disagrees']:
         """Verdict."""
         return self._get("verdict")  # type: ignore[no-any-return]
+
+
+class Curve(Record):
+    """An angle over speed [rad]."""
+
+    __slots__ = ()
+    _FIELDS = ("by_order", "sum", "total",)
+
+    @property
+    def by_order(self) -> list[FloatArray]:
+        """Amplitude of each order at each speed [rad]."""
+        return self._rows("by_order")  # type: ignore[no-any-return]
+
+    @property
+    def sum(self) -> FloatArray:
+        """Sum of the amplitudes of all orders, whatever their phases [rad]."""
+        return self._array("sum")  # type: ignore[no-any-return]
+
+    @property
+    def total(self) -> FloatArray:
+        """Amplitude of all orders in true phase at each speed [rad]."""
+        return self._array("total")  # type: ignore[no-any-return]
 
 
 class CycleResult(Record):
@@ -3710,6 +3870,60 @@ class DampedMode(Record):
     def shape(self) -> FloatArray:
         """Shape at the centre; its largest component in the mass norm is real."""
         return self._array("shape")  # type: ignore[no-any-return]
+
+
+class DampedMode2(Record):
+    """A mode of the damped chain: `phi(t) = Re(shape e^(s t))`."""
+
+    __slots__ = ()
+    _FIELDS = ("damping_ratio", "decay", "frequency", "shape",)
+
+    @property
+    def damping_ratio(self) -> float:
+        """Share of critical damping: decay over the modulus of s."""
+        return self._get("damping_ratio")  # type: ignore[no-any-return]
+
+    @property
+    def decay(self) -> float:
+        """Rate of decay [1/s]."""
+        return self._get("decay")  # type: ignore[no-any-return]
+
+    @property
+    def frequency(self) -> float:
+        """Damped angular frequency [rad/s]; 0 for motion that creeps back."""
+        return self._get("frequency")  # type: ignore[no-any-return]
+
+    @property
+    def shape(self) -> FloatArray:
+        """Angles of the stations at their own speeds, the largest 1."""
+        return self._array("shape")  # type: ignore[no-any-return]
+
+
+class DamperSweep(Record):
+    """A damper over speed."""
+
+    __slots__ = ()
+    _FIELDS = ("by_order", "power", "ring", "shaft",)
+
+    @property
+    def by_order(self) -> list[FloatArray]:
+        """The same by order [rad]."""
+        return self._rows("by_order")  # type: ignore[no-any-return]
+
+    @property
+    def power(self) -> FloatArray:
+        """Heat [W] at each speed."""
+        return self._array("power")  # type: ignore[no-any-return]
+
+    @property
+    def ring(self) -> FloatArray:
+        """Amplitude of the ring against the hub in true phase [rad]."""
+        return self._array("ring")  # type: ignore[no-any-return]
+
+    @property
+    def shaft(self) -> int:
+        """Index of its shaft."""
+        return self._get("shaft")  # type: ignore[no-any-return]
 
 
 class Design(Record):
@@ -5853,6 +6067,80 @@ class Happened(Record):
         return self._of("what", Occasion)  # type: ignore[no-any-return]
 
 
+class HolzerRow(Record):
+    """One line of Holzer's table: a station and the shaft towards the root of the tree."""
+
+    __slots__ = ()
+    _FIELDS = ("angle", "inertia", "inertia_torque", "inertia_torque_rate", "shaft_torque", "station", "stiffness", "twist",)
+
+    @property
+    def angle(self) -> float:
+        """Referred angle [rad]."""
+        return self._get("angle")  # type: ignore[no-any-return]
+
+    @property
+    def inertia(self) -> float:
+        """Inertia at the reference [kg m^2]."""
+        return self._get("inertia")  # type: ignore[no-any-return]
+
+    @property
+    def inertia_torque(self) -> float:
+        """Inertia torque `J w^2 phi` [N m]."""
+        return self._get("inertia_torque")  # type: ignore[no-any-return]
+
+    @property
+    def inertia_torque_rate(self) -> float:
+        """`J w^2` [N m/rad]."""
+        return self._get("inertia_torque_rate")  # type: ignore[no-any-return]
+
+    @property
+    def shaft_torque(self) -> float:
+        """Torque in the shaft behind it: the sum of all inertia torques before it [N m]."""
+        return self._get("shaft_torque")  # type: ignore[no-any-return]
+
+    @property
+    def station(self) -> int:
+        """Index of the station."""
+        return self._get("station")  # type: ignore[no-any-return]
+
+    @property
+    def stiffness(self) -> float | None:
+        """Stiffness of that shaft at the reference [N m/rad]; `None` at the last station."""
+        return self._get("stiffness")  # type: ignore[no-any-return]
+
+    @property
+    def twist(self) -> float:
+        """Its referred twist [rad]."""
+        return self._get("twist")  # type: ignore[no-any-return]
+
+
+class HolzerTable(Record):
+    """Holzer's table at one frequency."""
+
+    __slots__ = ()
+    _FIELDS = ("frequency", "relative_residual", "residual", "rows",)
+
+    @property
+    def frequency(self) -> float:
+        """Angular frequency [rad/s]."""
+        return self._get("frequency")  # type: ignore[no-any-return]
+
+    @property
+    def relative_residual(self) -> float:
+        """The same over the sum of the sizes of all inertia torques."""
+        return self._get("relative_residual")  # type: ignore[no-any-return]
+
+    @property
+    def residual(self) -> float:
+        """Torque that is left at the last station [N m]: 0 at a natural frequency."""
+        return self._get("residual")  # type: ignore[no-any-return]
+
+    @property
+    def rows(self) -> Records[HolzerRow]:
+        """Lines, every station before that towards which its shaft leads."""
+        return self._all("rows", HolzerRow)
+
+
 class IncompleteInertia(Record):
     """A speed that is not known for want of an inertia."""
 
@@ -6645,12 +6933,12 @@ class MeshOrigins(Record):
     _FIELDS = ("fillet_elements", "size",)
 
     @property
-    def fillet_elements(self) -> Literal['usual', 'file', 'asked', 'asked-before-file']:
+    def fillet_elements(self) -> Literal['usual', 'fitted', 'file', 'asked', 'asked-before-file']:
         """Of the elements across a fillet."""
         return self._get("fillet_elements")  # type: ignore[no-any-return]
 
     @property
-    def size(self) -> Literal['usual', 'file', 'asked', 'asked-before-file']:
+    def size(self) -> Literal['usual', 'fitted', 'file', 'asked', 'asked-before-file']:
         """Of the size of the elements."""
         return self._get("size")  # type: ignore[no-any-return]
 
@@ -6769,6 +7057,33 @@ class Mode(Record):
     def shares(self) -> FloatArray:
         """Shares of the kinetic energy: slices along x, along y, turning about z, motion along z; the rest deforms slices."""
         return self._array("shares")  # type: ignore[no-any-return]
+
+
+class Mode2(Record):
+    """A natural mode of the undamped chain."""
+
+    __slots__ = ()
+    _FIELDS = ("frequency", "inertia", "nodes", "shape",)
+
+    @property
+    def frequency(self) -> float:
+        """Natural angular frequency [rad/s]."""
+        return self._get("frequency")  # type: ignore[no-any-return]
+
+    @property
+    def inertia(self) -> float:
+        """Moment of inertia in this mode, of the shape as it stands [kg m^2]."""
+        return self._get("inertia")  # type: ignore[no-any-return]
+
+    @property
+    def nodes(self) -> int:
+        """Nodes: changes of sign of the referred angle along the shafts."""
+        return self._get("nodes")  # type: ignore[no-any-return]
+
+    @property
+    def shape(self) -> FloatArray:
+        """Angles of the stations at their own speeds, the largest 1."""
+        return self._array("shape")  # type: ignore[no-any-return]
 
 
 class ModeSolution(Record):
@@ -7424,6 +7739,33 @@ class OrderResponse(Record):
         return self._array("transmitted")  # type: ignore[no-any-return]
 
 
+class OrderStar(Record):
+    """Star of an order: equal torques of all cylinders, in the phases of their firings, times the amplitudes of a mode at their throws."""
+
+    __slots__ = ()
+    _FIELDS = ("order", "rigid_sum", "sums", "vectors",)
+
+    @property
+    def order(self) -> float:
+        """The order."""
+        return self._get("order")  # type: ignore[no-any-return]
+
+    @property
+    def rigid_sum(self) -> float:
+        """Length of the sum of the vectors as they are: what a rigid crankshaft feels."""
+        return self._get("rigid_sum")  # type: ignore[no-any-return]
+
+    @property
+    def sums(self) -> FloatArray:
+        """For each mode the length of the sum of the vectors times the amplitudes at their throws, the largest throw's 1."""
+        return self._array("sums")  # type: ignore[no-any-return]
+
+    @property
+    def vectors(self) -> FloatArray:
+        """One vector for each cylinder, of length 1: real part along cylinder 1."""
+        return self._array("vectors")  # type: ignore[no-any-return]
+
+
 class Outcome(Record):
     """Whether there is an optimum."""
 
@@ -7707,6 +8049,23 @@ class Peaks(Record):
     def shaft_torque(self) -> Extremes:
         """Shaft torque."""
         return self._of("shaft_torque", Extremes)  # type: ignore[no-any-return]
+
+
+class PendulumSweep(Record):
+    """A pendulum absorber over speed."""
+
+    __slots__ = ()
+    _FIELDS = ("shaft", "swing",)
+
+    @property
+    def shaft(self) -> int:
+        """Index of its shaft."""
+        return self._get("shaft")  # type: ignore[no-any-return]
+
+    @property
+    def swing(self) -> FloatArray:
+        """Amplitude of its swing against the radius in true phase [rad]; large ones are beyond the linear theory."""
+        return self._array("swing")  # type: ignore[no-any-return]
 
 
 class Percentile(Record):
@@ -8972,6 +9331,63 @@ class Sensitivity(Result):
         return self._get("weights")  # type: ignore[no-any-return]
 
 
+class Shaft(Record):
+    """What joins two stations."""
+
+    __slots__ = ()
+    _FIELDS = ("damping", "from_", "kind", "loss_factor", "name", "ratio", "section", "spin_stiffness", "stiffness", "to",)
+
+    @property
+    def damping(self) -> float:
+        """Viscous damping of its twist [N m s/rad]."""
+        return self._get("damping")  # type: ignore[no-any-return]
+
+    @property
+    def from_(self) -> int:
+        """Index of the station at its front end."""
+        return self._get("from")  # type: ignore[no-any-return]
+
+    @property
+    def kind(self) -> Literal['shaft', 'damper', 'pendulum', 'coupling']:
+        """What it is."""
+        return self._get("kind")  # type: ignore[no-any-return]
+
+    @property
+    def loss_factor(self) -> float:
+        """Loss factor of its stiffness [1]."""
+        return self._get("loss_factor")  # type: ignore[no-any-return]
+
+    @property
+    def name(self) -> str:
+        """Its name."""
+        return self._get("name")  # type: ignore[no-any-return]
+
+    @property
+    def ratio(self) -> float:
+        """Its speed over that of the reference."""
+        return self._get("ratio")  # type: ignore[no-any-return]
+
+    @property
+    def section(self) -> ShaftSection | None:
+        """Section in which its stress is told, where it is a shaft of known size."""
+        return self._of("section", ShaftSection)  # type: ignore[no-any-return]
+
+    @property
+    def spin_stiffness(self) -> float:
+        """Stiffness over the square of the reference speed, of a pendulum in the centrifugal field [N m s^2/rad^3]."""
+        return self._get("spin_stiffness")  # type: ignore[no-any-return]
+
+    @property
+    def stiffness(self) -> float:
+        """Stiffness at its own speed [N m/rad]."""
+        return self._get("stiffness")  # type: ignore[no-any-return]
+
+    @property
+    def to(self) -> int:
+        """Index of the station at its rear end."""
+        return self._get("to")  # type: ignore[no-any-return]
+
+
 class ShaftDesign(Record):
     """A balance shaft whose weights follow from the engine that it serves."""
 
@@ -9021,6 +9437,23 @@ class ShaftLayout(Record):
         return self._array("z")  # type: ignore[no-any-return]
 
 
+class ShaftSection(Record):
+    """A round section."""
+
+    __slots__ = ()
+    _FIELDS = ("bore", "diameter",)
+
+    @property
+    def bore(self) -> float:
+        """Diameter of the bore [m]."""
+        return self._get("bore")  # type: ignore[no-any-return]
+
+    @property
+    def diameter(self) -> float:
+        """Outer diameter [m]."""
+        return self._get("diameter")  # type: ignore[no-any-return]
+
+
 class ShaftSet(Record):
     """Balance shafts that a layout may have; an empty set is none."""
 
@@ -9036,6 +9469,53 @@ class ShaftSet(Record):
     def shafts(self) -> Records[ShaftDesign]:
         """Its shafts."""
         return self._all("shafts", ShaftDesign)
+
+
+class ShaftSweep(Record):
+    """A shaft over speed."""
+
+    __slots__ = ()
+    _FIELDS = ("by_order", "largest", "loss", "mean", "shaft", "stress_rate", "sum", "total",)
+
+    @property
+    def by_order(self) -> list[FloatArray]:
+        """Amplitude of the torque of each order at each speed [N m]."""
+        return self._rows("by_order")  # type: ignore[no-any-return]
+
+    @property
+    def largest(self) -> FloatArray:
+        """Largest absolute torque, the mean included [N m]."""
+        return self._array("largest")  # type: ignore[no-any-return]
+
+    @property
+    def loss(self) -> FloatArray:
+        """Power lost in it [W]."""
+        return self._array("loss")  # type: ignore[no-any-return]
+
+    @property
+    def mean(self) -> FloatArray:
+        """Mean torque [N m], all of it taken at the end of the chain."""
+        return self._array("mean")  # type: ignore[no-any-return]
+
+    @property
+    def shaft(self) -> int:
+        """Index of the shaft."""
+        return self._get("shaft")  # type: ignore[no-any-return]
+
+    @property
+    def stress_rate(self) -> float | None:
+        """Shear stress over torque at the surface of its section [1/m^3]; `None` where its section is not known."""
+        return self._get("stress_rate")  # type: ignore[no-any-return]
+
+    @property
+    def sum(self) -> FloatArray:
+        """Sum of the amplitudes of all orders, whatever their phases [N m]."""
+        return self._array("sum")  # type: ignore[no-any-return]
+
+    @property
+    def total(self) -> FloatArray:
+        """Amplitude of the torque of all orders in true phase [N m]."""
+        return self._array("total")  # type: ignore[no-any-return]
 
 
 class ShapeTask(Record):
@@ -9620,6 +10100,55 @@ class Station(Record):
         return self._get("z")  # type: ignore[no-any-return]
 
 
+class Station2(Record):
+    """An inertia of the chain."""
+
+    __slots__ = ()
+    _FIELDS = ("damping", "inertia", "kind", "name", "ratio",)
+
+    @property
+    def damping(self) -> float:
+        """Damping against the ground, at its own speed [N m s/rad]."""
+        return self._get("damping")  # type: ignore[no-any-return]
+
+    @property
+    def inertia(self) -> float:
+        """Moment of inertia about its own axis [kg m^2]."""
+        return self._get("inertia")  # type: ignore[no-any-return]
+
+    @property
+    def kind(self) -> Literal['ring', 'nose', 'flywheel', 'driven', 'pendulum', 'other'] | dict[str, Any]:
+        """What it is."""
+        return self._get("kind")  # type: ignore[no-any-return]
+
+    @property
+    def name(self) -> str:
+        """Its name."""
+        return self._get("name")  # type: ignore[no-any-return]
+
+    @property
+    def ratio(self) -> float:
+        """Its speed over that of the reference (crankshaft 1)."""
+        return self._get("ratio")  # type: ignore[no-any-return]
+
+
+class StationSweep(Record):
+    """Angle of a station over speed."""
+
+    __slots__ = ()
+    _FIELDS = ("by_order", "station",)
+
+    @property
+    def by_order(self) -> list[FloatArray]:
+        """Amplitude of each order at each speed, at its own speed [rad]."""
+        return self._rows("by_order")  # type: ignore[no-any-return]
+
+    @property
+    def station(self) -> int:
+        """Index of the station."""
+        return self._get("station")  # type: ignore[no-any-return]
+
+
 class StiffnessCentre(Record):
     """Centre of stiffness: where the coupling of translation and rotation is symmetric."""
 
@@ -9803,6 +10332,58 @@ class SurfacePeak(Record):
     def stress(self) -> PeakStress | None:
         """Its stress; none of a sharp corner, where it would grow with every refinement."""
         return self._of("stress", PeakStress)  # type: ignore[no-any-return]
+
+
+class Sweep(Record):
+    """Forced vibration over speed. Amplitudes are half of largest less least value; those by order are moduli."""
+
+    __slots__ = ()
+    _FIELDS = ("balance", "damper", "nose", "orders", "pendulums", "shafts", "speeds", "stations", "twist",)
+
+    @property
+    def balance(self) -> float:
+        """Largest difference of the power put in and the power lost, over the power put in."""
+        return self._get("balance")  # type: ignore[no-any-return]
+
+    @property
+    def damper(self) -> DamperSweep | None:
+        """The damper, where there is one."""
+        return self._of("damper", DamperSweep)  # type: ignore[no-any-return]
+
+    @property
+    def nose(self) -> Curve:
+        """Nose alone."""
+        return self._of("nose", Curve)  # type: ignore[no-any-return]
+
+    @property
+    def orders(self) -> FloatArray:
+        """Orders, per revolution of the reference."""
+        return self._array("orders")  # type: ignore[no-any-return]
+
+    @property
+    def pendulums(self) -> Records[PendulumSweep]:
+        """Pendulums."""
+        return self._all("pendulums", PendulumSweep)
+
+    @property
+    def shafts(self) -> Records[ShaftSweep]:
+        """Every shaft."""
+        return self._all("shafts", ShaftSweep)
+
+    @property
+    def speeds(self) -> FloatArray:
+        """Speeds of the reference [rad/s]."""
+        return self._array("speeds")  # type: ignore[no-any-return]
+
+    @property
+    def stations(self) -> Records[StationSweep]:
+        """Angles of the stations by order."""
+        return self._all("stations", StationSweep)
+
+    @property
+    def twist(self) -> Curve:
+        """Nose against flywheel, as seen at the reference."""
+        return self._of("twist", Curve)  # type: ignore[no-any-return]
 
 
 class SweptOverlap(Record):
@@ -10015,6 +10596,33 @@ class ThrowMasses(Record):
         return self._get("throw")  # type: ignore[no-any-return]
 
 
+class ThrowParts(Record):
+    """Inertia of a throw about the axis of its crankshaft."""
+
+    __slots__ = ()
+    _FIELDS = ("crank", "fluctuation", "throw", "train",)
+
+    @property
+    def crank(self) -> float:
+        """Part of the crankshaft [kg m^2]."""
+        return self._get("crank")  # type: ignore[no-any-return]
+
+    @property
+    def fluctuation(self) -> float:
+        """Amplitude of the inertia of rods and pistons over the cycle, half of largest less least [kg m^2]."""
+        return self._get("fluctuation")  # type: ignore[no-any-return]
+
+    @property
+    def throw(self) -> int:
+        """Index of the throw."""
+        return self._get("throw")  # type: ignore[no-any-return]
+
+    @property
+    def train(self) -> float:
+        """Rods and pistons, mean over the cycle [kg m^2]."""
+        return self._get("train")  # type: ignore[no-any-return]
+
+
 class ThrowShare(Record):
     """What belongs to one throw, or to none: journals, and weights beside the webs."""
 
@@ -10140,6 +10748,60 @@ class Tightened(Record):
     def tolerance(self) -> int:
         """Place of the tolerance in the list, from 0."""
         return self._get("tolerance")  # type: ignore[no-any-return]
+
+
+class TimeAmplitudes(Record):
+    """Amplitudes of torques and twist."""
+
+    __slots__ = ()
+    _FIELDS = ("torques", "twist",)
+
+    @property
+    def torques(self) -> FloatArray:
+        """Torque of each shaft [N m]."""
+        return self._array("torques")  # type: ignore[no-any-return]
+
+    @property
+    def twist(self) -> float:
+        """Twist between nose and flywheel [rad]."""
+        return self._get("twist")  # type: ignore[no-any-return]
+
+
+class TimeCheck(Record):
+    """Periodic motion in the time domain beside the sum of orders, at one speed. Loss factors count as viscous dampers of the same loss at one frequency, in all three."""
+
+    __slots__ = ()
+    _FIELDS = ("evaluations", "frequency", "linear", "orders", "speed", "varying",)
+
+    @property
+    def evaluations(self) -> int:
+        """Evaluations of the equations of motion."""
+        return self._get("evaluations")  # type: ignore[no-any-return]
+
+    @property
+    def frequency(self) -> float:
+        """Angular frequency at which loss factors and viscous dampers are equal [rad/s]."""
+        return self._get("frequency")  # type: ignore[no-any-return]
+
+    @property
+    def linear(self) -> TimeAmplitudes:
+        """Amplitudes of the same linear equations in the time domain."""
+        return self._of("linear", TimeAmplitudes)  # type: ignore[no-any-return]
+
+    @property
+    def orders(self) -> TimeAmplitudes:
+        """Amplitudes by the sum of orders."""
+        return self._of("orders", TimeAmplitudes)  # type: ignore[no-any-return]
+
+    @property
+    def speed(self) -> float:
+        """Speed of crankshaft 1 [rad/s]."""
+        return self._get("speed")  # type: ignore[no-any-return]
+
+    @property
+    def varying(self) -> TimeAmplitudes:
+        """Amplitudes with the inertia as it varies over the angle, torques over the true angle of each throw."""
+        return self._of("varying", TimeAmplitudes)  # type: ignore[no-any-return]
 
 
 class Tolerance(Record):
@@ -10435,6 +11097,114 @@ class TorqueReport(Result):
         return self._list("warnings")  # type: ignore[no-any-return]
 
 
+class TorsionLimit(Record):
+    """A limit, and what is reached."""
+
+    __slots__ = ()
+    _FIELDS = ("allowed", "found", "quantity", "speed",)
+
+    @property
+    def allowed(self) -> float:
+        """Allowed amplitude [rad] or [Pa]."""
+        return self._get("allowed")  # type: ignore[no-any-return]
+
+    @property
+    def found(self) -> float:
+        """Largest amplitude over speed [rad] or [Pa]."""
+        return self._get("found")  # type: ignore[no-any-return]
+
+    @property
+    def quantity(self) -> Literal['twist', 'stress']:
+        """What is limited."""
+        return self._get("quantity")  # type: ignore[no-any-return]
+
+    @property
+    def speed(self) -> float:
+        """Speed of crankshaft 1 at which it is found [rad/s]."""
+        return self._get("speed")  # type: ignore[no-any-return]
+
+
+class TorsionResult(Result):
+    """Torsional vibration of an engine over its speed range.
+
+    Linear, about a mean speed that does not change: mean inertia of the moving masses, their torque at constant speed beside that of the gas. Amplitudes
+    are half of largest less least value, those by order moduli.
+    """
+
+    __slots__ = ()
+    _FIELDS = ("campbell", "crank", "damped", "engine", "gas", "holzer", "limits", "modes", "notes", "stars", "sweep", "time", "tuned", "version",)
+
+    @property
+    def campbell(self) -> Campbell:
+        """Orders and natural frequencies over speed, with the speeds at which they meet."""
+        return self._of("campbell", Campbell)  # type: ignore[no-any-return]
+
+    @property
+    def crank(self) -> CrankChain:
+        """The chain, and where its numbers come from."""
+        return self._of("crank", CrankChain)  # type: ignore[no-any-return]
+
+    @property
+    def damped(self) -> Records[DampedMode2]:
+        """Damped modes at the highest speed."""
+        return self._all("damped", DampedMode2)
+
+    @property
+    def engine(self) -> str:
+        """Name of the engine."""
+        return self._get("engine")  # type: ignore[no-any-return]
+
+    @property
+    def gas(self) -> str | None:
+        """Where the pressures come from, in words; `None`: no gas acts."""
+        return self._get("gas")  # type: ignore[no-any-return]
+
+    @property
+    def holzer(self) -> Records[HolzerTable]:
+        """Holzer's table at each of the first natural frequencies."""
+        return self._all("holzer", HolzerTable)
+
+    @property
+    def limits(self) -> Records[TorsionLimit]:
+        """Limits of the file."""
+        return self._all("limits", TorsionLimit)
+
+    @property
+    def modes(self) -> Records[Mode2]:
+        """Undamped modes; of pendulums at the highest speed."""
+        return self._all("modes", Mode2)
+
+    @property
+    def notes(self) -> list[str]:
+        """What was assumed and left out."""
+        return self._list("notes")  # type: ignore[no-any-return]
+
+    @property
+    def stars(self) -> Records[OrderStar]:
+        """Star of each order; empty where the file gives no firing."""
+        return self._all("stars", OrderStar)
+
+    @property
+    def sweep(self) -> Sweep:
+        """Forced vibration over speed."""
+        return self._of("sweep", Sweep)  # type: ignore[no-any-return]
+
+    @property
+    def time(self) -> TimeCheck | None:
+        """The check in the time domain, where it was asked for."""
+        return self._of("time", TimeCheck)  # type: ignore[no-any-return]
+
+    @property
+    def tuned(self) -> TunedDamper | None:
+        """The best setting of the damper, where it was asked for."""
+        return self._of("tuned", TunedDamper)  # type: ignore[no-any-return]
+
+    @property
+    def version(self) -> int:
+        """Version of this structure."""
+        return self._get("version")  # type: ignore[no-any-return]
+
+
 class Trace(Record):
     """Components over one period, at equally spaced crank angles; one vector a component so that it plots as it is."""
 
@@ -10534,6 +11304,90 @@ class Transmissibility(Record):
     def ratio(self) -> FloatArray:
         """For a unit load in each coordinate at the block's centre: the force transmitted in the same coordinate."""
         return self._array("ratio")  # type: ignore[no-any-return]
+
+
+class TunePoint(Record):
+    """A point of the curve."""
+
+    __slots__ = ()
+    _FIELDS = ("peak", "value",)
+
+    @property
+    def peak(self) -> float:
+        """Peak over the speed range, in the unit of the aim."""
+        return self._get("peak")  # type: ignore[no-any-return]
+
+    @property
+    def value(self) -> float:
+        """Damping [N m s/rad], or stiffness [N m/rad] where that alone is free."""
+        return self._get("value")  # type: ignore[no-any-return]
+
+
+class TunedDamper(Record):
+    """The best setting, with the curve that proves it."""
+
+    __slots__ = ()
+    _FIELDS = ("aim", "curve", "damping", "free", "given", "is_at_end", "locked", "loss_factor", "minima", "peak", "speed", "stiffness",)
+
+    @property
+    def aim(self) -> Literal['twist', 'stress'] | dict[str, Any]:
+        """What is small."""
+        return self._get("aim")  # type: ignore[no-any-return]
+
+    @property
+    def curve(self) -> Records[TunePoint]:
+        """The free number and the peak that it gives (the best stiffness for each damping where both are free), rising."""
+        return self._all("curve", TunePoint)
+
+    @property
+    def damping(self) -> float:
+        """Best viscous damping [N m s/rad]."""
+        return self._get("damping")  # type: ignore[no-any-return]
+
+    @property
+    def free(self) -> Literal['damping', 'stiffness', 'both']:
+        """What was free."""
+        return self._get("free")  # type: ignore[no-any-return]
+
+    @property
+    def given(self) -> float:
+        """Peak with the damper as given."""
+        return self._get("given")  # type: ignore[no-any-return]
+
+    @property
+    def is_at_end(self) -> bool:
+        """Whether the best lies at an end of the range: a wider range would give less."""
+        return self._get("is_at_end")  # type: ignore[no-any-return]
+
+    @property
+    def locked(self) -> float:
+        """Peak with the ring locked to its hub."""
+        return self._get("locked")  # type: ignore[no-any-return]
+
+    @property
+    def loss_factor(self) -> float:
+        """Loss factor of the stiffness, as given."""
+        return self._get("loss_factor")  # type: ignore[no-any-return]
+
+    @property
+    def minima(self) -> int:
+        """Number of local minima on the curve: 1 where the best one is proved by the curve's points alone."""
+        return self._get("minima")  # type: ignore[no-any-return]
+
+    @property
+    def peak(self) -> float:
+        """Peak over the speed range at the best setting, in the unit of the aim."""
+        return self._get("peak")  # type: ignore[no-any-return]
+
+    @property
+    def speed(self) -> float:
+        """Speed of that peak [rad/s]."""
+        return self._get("speed")  # type: ignore[no-any-return]
+
+    @property
+    def stiffness(self) -> float:
+        """Best stiffness [N m/rad]."""
+        return self._get("stiffness")  # type: ignore[no-any-return]
 
 
 class TurningInertia(Record):
