@@ -32,7 +32,7 @@ const IDLE: usize = 3;
 /// Share of the residual before below which the derivative that gave the step is kept.
 const HELPS: f64 = 0.05;
 
-/// Step of the differences to both sides, as a share of the size of each state: the errors of the map weigh by its inverse, third derivatives by its
+/// Step of the differences, as a share of the size of each state: the errors of the map weigh by its inverse, third derivatives by its
 /// square.
 const SHARE: f64 = 1e-4;
 
@@ -44,6 +44,13 @@ const MOST_KEPT: f64 = 1e3;
 
 /// Tolerance of the map at most, and of an implicit method, which is of lower order.
 const MAP: [f64; 2] = [1e-12, 1e-10];
+
+/// Tolerance of the map where its errors keep the residual above what counts as closed: at a reversal of the flow through a valve the rate goes as the
+/// root of a pressure difference, and steps across it miss their tolerance by far.
+const FINEST: f64 = 3e-14;
+
+/// A residual below this that a step no longer reduces is taken as noise of the map.
+const NOISY: f64 = 1e-6;
 
 /// A period lasts at most so many times what the rate at the start would take.
 const LONGEST: f64 = 20.0;
@@ -228,13 +235,25 @@ impl Search<'_> {
         self.equations.measure_rounding(&mut sizes);
         sizes.iter_mut().for_each(|size| *size = if *size > 0.0 { *size } else { 1.0 });
         let implicit = pass.methods.last() == Some(&Method::Implicit);
-        self.request.tolerance = self.request.tolerance.min(MAP[usize::from(implicit)]);
         if implicit {
-            self.request.tolerance = MAP[1];
             self.request.method = Some(Method::Implicit);
         }
-        self.absolute = sizes.iter().map(|size| (0.01 * self.request.tolerance * size).max(1e-200)).collect();
+        self.tolerate(if implicit { MAP[1] } else { self.request.tolerance.min(MAP[0]) }, &sizes);
         Ok((sizes, self.of_pass(pass, start)?))
+    }
+
+    /// A finer map, where there is one.
+    fn refine(&mut self, sizes: &[f64]) -> bool {
+        let is_finer = self.request.tolerance > FINEST && self.request.method != Some(Method::Implicit);
+        if is_finer {
+            self.tolerate(FINEST, sizes);
+        }
+        is_finer
+    }
+
+    fn tolerate(&mut self, tolerance: f64, sizes: &[f64]) {
+        self.request.tolerance = tolerance;
+        self.absolute = sizes.iter().map(|size| (0.01 * tolerance * size).max(1e-200)).collect();
     }
 
     fn returning(&mut self, at: &[f64], sizes: &[f64], period: f64, kept: &[usize]) -> Returning {
@@ -280,8 +299,25 @@ impl Search<'_> {
                 instead = self.stays(&returning, &change, &sizes, "Newton's iterations do not close it");
                 break;
             }
-            if slope.is_none() || off >= HELPS * last {
-                slope = match self.slope(&returning, &x) {
+            let helps = off < HELPS * last;
+            if !helps && (NEARLY..NOISY).contains(&off) && self.refine(&sizes) {
+                // Residuals of the coarser map do not count.
+                if let Some((_, least, _)) = best.take() {
+                    x = least;
+                }
+                match self.arrive(&x) {
+                    Ok(there) => arrival = there,
+                    Err((_, why)) => {
+                        instead = why;
+                        break;
+                    }
+                }
+                last = f64::INFINITY;
+                continue;
+            }
+            // At the noise another derivative does not help either.
+            if slope.is_none() || (!helps && (off >= NEARLY || idle == 0)) {
+                slope = match self.slope(&returning, &x, Some(&change)) {
                     Ok(slope) => Some(slope),
                     Err(why) => {
                         instead = why;
@@ -323,7 +359,7 @@ impl Search<'_> {
         }
         // Components that are measured at the motion itself: there a move and its change are the same.
         let returning = self.returning(&x, &sizes, arrival.time, &kept);
-        let own = self.slope(&returning, &x).ok().or(slope);
+        let own = self.slope(&returning, &x, None).ok().or(slope);
         found.multipliers = own.as_ref().map_or_else(Vec::new, multipliers);
         let largest = found.multipliers.first().map_or(0.0, |m| m[0].hypot(m[1]));
         // What the noise of the map does to its differences.
@@ -337,8 +373,13 @@ impl Search<'_> {
         (found, Some(x))
     }
 
-    /// `dG/dx` by differences to both sides.
-    fn slope(&mut self, returning: &Returning, x: &[f64]) -> Result<DMatrix<f64>, String> {
+    /// `dG/dx` by differences to one side of the change at `x`, or to both sides without it.
+    fn slope(
+        &mut self,
+        returning: &Returning,
+        x: &[f64],
+        change: Option<&DVector<f64>>,
+    ) -> Result<DMatrix<f64>, String> {
         let count = returning.count();
         let mut matrix = DMatrix::zeros(count, count);
         for column in 0..count {
@@ -351,8 +392,12 @@ impl Search<'_> {
                 let arrival = self.arrive(&start).map_err(|(_, why)| why)?;
                 Ok(returning.change(&start, &arrival.state))
             };
-            let (above, below) = (beside(1.0)?, beside(-1.0)?);
-            matrix.set_column(column, &((above - below) / (2.0 * SHARE)));
+            let above = beside(1.0)?;
+            let slope = match change {
+                Some(change) => (above - change) / SHARE,
+                None => (above - beside(-1.0)?) / (2.0 * SHARE),
+            };
+            matrix.set_column(column, &slope);
         }
         Ok(matrix)
     }
