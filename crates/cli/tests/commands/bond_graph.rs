@@ -69,6 +69,42 @@ fn an_engine_file_is_a_graph() {
     assert!(notes(&states).contains("note: Load: "));
 }
 
+/// The engine on its mounts with gas as states, and a graph file: an oscillator under a force, whose multipliers are exp(poles T).
+#[test]
+fn a_periodic_motion_is_found() {
+    let folder = folder("bond-graph-periodic");
+    let until = ["--until", "periodic", "--format", "json"];
+    let engine = example("three-cylinder");
+    let run = output_json(&folder, 0, &[&["bondgraph", "simulate", &engine], &until[..]].concat());
+    assert_eq!(run["complete"], true);
+    assert_eq!(run["periodic"]["outcome"], "stable", "{}", run["periodic"]);
+    assert!(number(&run, "/periodic/residual") < 1e-8, "{}", run["periodic"]);
+    // Two revolutions at about 2000 rpm, after which the block is back.
+    assert!((number(&run, "/periodic/period") - 0.06).abs() < 5e-4, "{}", run["periodic"]);
+    let series = run["series"].as_array().unwrap();
+    let block = series.iter().find(|own| own["name"] == "block_y.momentum").unwrap();
+    let values: Vec<f64> = block["values"].as_array().unwrap().iter().map(|v| v.as_f64().unwrap()).collect();
+    let most = values.iter().fold(0.0f64, |most, value| most.max(value.abs()));
+    assert!(most > 0.1, "it moves: {most}");
+    assert!((values[0] - values[values.len() - 1]).abs() < 1e-7 * most);
+
+    let forced = "[elements]\nv = { kind = \"1\", domain = \"translation\" }\n\
+         m = { kind = \"I\", inertia = \"1.2 kg\" }\nk = { kind = \"C\", stiffness = \"250 N/m\" }\n\
+         r = { kind = \"R\", resistance = \"3 N s/m\" }\n\
+         push = { kind = \"MSe\", effort = \"10 N*cos(20 rad/s*t)\" }\n\
+         [bonds]\nlist = [\"push > v\", \"v > m\", \"v > k\", \"v > r\"]\n\
+         [simulation]\nperiod = \"0.31415926535897932 s\"\n";
+    std::fs::write(folder.join("forced.toml"), forced).unwrap();
+    let run = output_json(&folder, 0, &[&["bondgraph", "simulate", "forced.toml"], &until[..]].concat());
+    assert_eq!(run["periodic"]["outcome"], "stable", "{}", run["periodic"]);
+    let (real, imaginary) =
+        (number(&run, "/periodic/multipliers/0/0"), number(&run, "/periodic/multipliers/0/1"));
+    let exact = (-3.0 / 2.4 * std::f64::consts::PI / 10.0).exp();
+    assert!((real.hypot(imaginary) - exact).abs() < 1e-6, "{real} {imaginary} against {exact}");
+    let endless = ["bondgraph", "simulate", &graph("dc-motor"), "--until", "periodic"];
+    assert!(message(&folder, 2, &endless).contains("period"));
+}
+
 #[test]
 fn what_is_wrong_is_said() {
     let folder = folder("bond-graph-bad");
