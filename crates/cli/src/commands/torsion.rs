@@ -70,9 +70,9 @@ fn by_elements(
     let options = CrankMeshOptions { size, fillet_elements: 2, ..CrankMeshOptions::default() };
     let solve = SolveOptions { memory: memory(&arguments.memory)?, ..SolveOptions::default() };
     let held = arguments.throws == StiffnessOption::Held;
-    let (stiffness, notes) = meshed_throws(engine, options, solve, held, &say).map_err(Failure::refused)?;
-    request.stiffness = stiffness;
-    Ok(notes)
+    let meshed = meshed_throws(engine, options, solve, held, &say).map_err(Failure::refused)?;
+    request.stiffness = meshed.stiffness;
+    Ok(meshed.notes)
 }
 
 fn request(arguments: &TorsionArguments) -> Result<TorsionRequest, Failure> {

@@ -50,9 +50,9 @@ fn read_torsion(options: &Options<'_>) -> Result<Run, Failure> {
         let mut request = request.clone();
         let mut notes = Vec::new();
         if let Some(held) = held {
-            (request.stiffness, notes) =
-                meshed_throws(own.engine(), mesh, SolveOptions::default(), held, &|_| ())
-                    .map_err(Failure::refused)?;
+            let meshed = meshed_throws(own.engine(), mesh, SolveOptions::default(), held, &|_| ())
+                .map_err(Failure::refused)?;
+            (request.stiffness, notes) = (meshed.stiffness, meshed.notes);
         }
         let traces = if request.without_gas { &[] } else { own.traces()? };
         let mut found = torsion(&own.file, traces, &request).map_err(Failure::refused)?;
