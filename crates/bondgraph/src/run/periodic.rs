@@ -13,7 +13,7 @@ use crate::graph::{Graph, Period, Rule};
 use crate::run::compiled::Compiled;
 use crate::run::motion::{PeriodicEnd, PeriodicMotion};
 use crate::run::returning::Returning;
-use crate::run::simulate::{Method, Pass, Simulation, SimulationRequest};
+use crate::run::simulate::{Method, Pass, Simulation, SimulationRequest, Sizes, looks};
 use lanchester_numerics::System;
 use nalgebra::{DMatrix, DVector, Schur};
 
@@ -224,16 +224,14 @@ impl Search<'_> {
     }
 
     /// Sizes of all states over a first period, roughly.
-    fn measure(&mut self, start: &[f64]) -> Result<(Vec<f64>, Arrival), (f64, String)> {
+    fn measure(&mut self, start: &[f64]) -> Result<(Sizes, Arrival), (f64, String)> {
         let tolerance = 1e-6f64.max(self.request.tolerance);
         let request = SimulationRequest { tolerance, most_evaluations: self.left, ..self.request };
-        let places = [request.duration];
         let small = vec![1e-12; start.len()];
-        let pass = self.equations.pass(&mut self.compiled, &request, &places, &small, start);
+        let pass = self.equations.pass(&mut self.compiled, &request, &looks(request.duration), &small, start);
         self.left = self.left.saturating_sub(pass.statistics.evaluations);
-        let mut sizes = pass.largest.clone();
-        self.equations.measure_rounding(&mut sizes);
-        sizes.iter_mut().for_each(|size| *size = if *size > 0.0 { *size } else { 1.0 });
+        let mut sizes = self.equations.sizes_of(&mut self.compiled, &pass);
+        sizes.largest.iter_mut().for_each(|size| *size = if *size > 0.0 { *size } else { 1.0 });
         let implicit = pass.methods.last() == Some(&Method::Implicit);
         if implicit {
             self.request.method = Some(Method::Implicit);
@@ -243,7 +241,7 @@ impl Search<'_> {
     }
 
     /// A finer map, where there is one.
-    fn refine(&mut self, sizes: &[f64]) -> bool {
+    fn refine(&mut self, sizes: &Sizes) -> bool {
         let is_finer = self.request.tolerance > FINEST && self.request.method != Some(Method::Implicit);
         if is_finer {
             self.tolerate(FINEST, sizes);
@@ -251,9 +249,9 @@ impl Search<'_> {
         is_finer
     }
 
-    fn tolerate(&mut self, tolerance: f64, sizes: &[f64]) {
+    fn tolerate(&mut self, tolerance: f64, sizes: &Sizes) {
         self.request.tolerance = tolerance;
-        self.absolute = sizes.iter().map(|size| (0.01 * tolerance * size).max(1e-200)).collect();
+        self.absolute = sizes.absolute(tolerance);
     }
 
     fn returning(&mut self, at: &[f64], sizes: &[f64], period: f64, kept: &[usize]) -> Returning {
@@ -277,7 +275,7 @@ impl Search<'_> {
         };
         let kept: Vec<usize> =
             set.into_iter().filter(|index| second.state[*index] == start[*index]).collect();
-        let returning = self.returning(&start, &sizes, second.time, &kept);
+        let returning = self.returning(&start, &sizes.largest, second.time, &kept);
         let mut found = PeriodicMotion::not_found(second.time, String::new());
         let (mut x, mut arrival) = (start, second);
         let mut slope: Option<DMatrix<f64>> = None;
@@ -296,7 +294,8 @@ impl Search<'_> {
                 break;
             }
             if found.iterations >= ITERATIONS {
-                instead = self.stays(&returning, &change, &sizes, "Newton's iterations do not close it");
+                instead =
+                    self.stays(&returning, &change, &sizes.largest, "Newton's iterations do not close it");
                 break;
             }
             let helps = off < HELPS * last;
@@ -329,7 +328,7 @@ impl Search<'_> {
             let Some(step) = slope.as_ref().and_then(|slope| step(slope, &change)) else { break };
             if step.amax() < 1e-3 * off {
                 let why = "no other start changes that: what drives and what brakes are not in balance";
-                instead = self.stays(&returning, &change, &sizes, why);
+                instead = self.stays(&returning, &change, &sizes.largest, why);
                 break;
             }
             let Some(next) = returning.moved(&mut self.compiled, &x, &step) else {
@@ -351,14 +350,14 @@ impl Search<'_> {
         if residual >= NEARLY {
             let change = returning.change(&x, &arrival.state);
             if instead.is_empty() {
-                instead = self.stays(&returning, &change, &sizes, "Newton's step is none");
+                instead = self.stays(&returning, &change, &sizes.largest, "Newton's step is none");
             }
             found.multipliers = slope.as_ref().map_or_else(Vec::new, multipliers);
             found.instead = Some(instead);
             return (found, Some(x));
         }
         // Components that are measured at the motion itself: there a move and its change are the same.
-        let returning = self.returning(&x, &sizes, arrival.time, &kept);
+        let returning = self.returning(&x, &sizes.largest, arrival.time, &kept);
         let own = self.slope(&returning, &x, None).ok().or(slope);
         found.multipliers = own.as_ref().map_or_else(Vec::new, multipliers);
         let largest = found.multipliers.first().map_or(0.0, |m| m[0].hypot(m[1]));

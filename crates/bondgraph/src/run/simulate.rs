@@ -33,6 +33,9 @@ const ROUGH: u64 = 6000;
 /// What stays below this share of the largest of its unit is rounding: what symmetry keeps at zero, say.
 const ROUNDING: f64 = 1e-12;
 
+/// Their number: see [`looks`].
+const LOOKS: usize = 24;
+
 /// A smaller change at an event is no jump, as a share.
 const LEAP: f64 = 1e-9;
 
@@ -129,6 +132,23 @@ pub(crate) struct Pass {
     pub(crate) statistics: Statistics,
 }
 
+/// How large states become, and what rounding does to them.
+pub(crate) struct Sizes {
+    /// Largest size of each state.
+    pub largest: Vec<f64>,
+    /// What rounding of all states makes of each over one step.
+    noise: Vec<f64>,
+}
+
+impl Sizes {
+    /// Absolute tolerances: a share of the size, and no less than rounding leaves, below which steps would follow noise: forces that cancel move what symmetry
+    /// hardly moves.
+    pub fn absolute(&self, tolerance: f64) -> Vec<f64> {
+        let own = self.largest.iter().zip(&self.noise);
+        own.map(|(size, noise)| (0.01 * tolerance * size).max(*noise).max(1e-200)).collect()
+    }
+}
+
 impl Simulation {
     /// Values of a quantity at the samples: `crank.flow`, `block_x.momentum`.
     pub fn values(&self, name: &str) -> Option<&[f64]> {
@@ -176,26 +196,21 @@ impl Equations {
         // A rough pass measures how large each quantity becomes: absolute tolerances are shares of that. Its beginning is enough where
         // every state has moved by then: a size that is still small there makes the tolerance finer, never coarser. Energies are not
         // taken that way: what a closed valve carries is nothing for long.
-        let sizes = |compiled: &mut Compiled, most_evaluations: u64| -> (bool, Vec<f64>) {
+        let sizes = |compiled: &mut Compiled, most_evaluations: u64| -> (bool, Sizes) {
             let tolerance = 1e-5f64.max(request.tolerance);
             let rough = SimulationRequest { tolerance, most_evaluations, ..*request };
-            let mut pass = self.pass(compiled, &rough, &[request.duration], &vec![1e-12; dimension], &start);
-            self.measure_rounding(&mut pass.largest);
-            (pass.complete, pass.largest)
+            self.sizes(compiled, &rough, &vec![1e-12; dimension], &start)
         };
-        let share = |size: &f64| (0.01 * request.tolerance * size).max(1e-200);
         let most = request.most_evaluations;
         let beginning = if request.audit { most } else { most.min(ROUGH) };
-        let (mut is_whole, mut largest) = sizes(&mut compiled, beginning);
-        if !is_whole && beginning < most && largest.contains(&0.0) {
-            (is_whole, largest) = sizes(&mut compiled, most);
+        let (mut is_whole, mut found) = sizes(&mut compiled, beginning);
+        if !is_whole && beginning < most && found.largest.contains(&0.0) {
+            (is_whole, found) = sizes(&mut compiled, most);
         }
-        let absolute: Vec<f64> = largest.iter().map(share).collect();
-        let mut pass = self.pass(&mut compiled, request, places, &absolute, &start);
+        let mut pass = self.pass(&mut compiled, request, places, &found.absolute(request.tolerance), &start);
         if !pass.complete && !is_whole && beginning < most {
-            let (_, largest) = sizes(&mut compiled, most);
-            let absolute: Vec<f64> = largest.iter().map(share).collect();
-            pass = self.pass(&mut compiled, request, places, &absolute, &start);
+            let (_, found) = sizes(&mut compiled, most);
+            pass = self.pass(&mut compiled, request, places, &found.absolute(request.tolerance), &start);
         }
         let time: Vec<f64> = pass.samples.iter().map(|(t, _)| *t).collect();
         let series = self.series(&pass);
@@ -218,9 +233,49 @@ impl Equations {
         }
     }
 
+    /// Sizes of all states of a rough run, and whether it came to its end.
+    fn sizes(
+        &self,
+        compiled: &mut Compiled,
+        rough: &SimulationRequest,
+        absolute: &[f64],
+        start: &[f64],
+    ) -> (bool, Sizes) {
+        let pass = self.pass(compiled, rough, &looks(rough.duration), absolute, start);
+        (pass.complete, self.sizes_of(compiled, &pass))
+    }
+
+    /// Sizes of all states of a rough pass with some samples.
+    pub(crate) fn sizes_of(&self, compiled: &mut Compiled, pass: &Pass) -> Sizes {
+        let mut largest = pass.largest.clone();
+        self.measure_rounding(&mut largest);
+        // Every state is known to its last digit and no better: what that does to the rates no step can be rid of.
+        let (mut rates, mut beside) = (vec![0.0; largest.len()], vec![0.0; largest.len()]);
+        let mut noise = vec![0.0f64; largest.len()];
+        for (look, (t, state)) in pass.samples.iter().enumerate() {
+            compiled.settle(*t, state);
+            compiled.derivative(*t, state, &mut rates);
+            let rounded: Vec<f64> =
+                state
+                    .iter()
+                    .enumerate()
+                    .map(|(k, y)| {
+                        if (look + k) % 2 == 0 { y * (1.0 + f64::EPSILON) } else { y * (1.0 - f64::EPSILON) }
+                    })
+                    .collect();
+            compiled.derivative(*t, &rounded, &mut beside);
+            for (most, (a, b)) in noise.iter_mut().zip(rates.iter().zip(&beside)) {
+                *most = most.max((a - b).abs());
+            }
+        }
+        let step = pass.end.0 / pass.statistics.steps.max(1) as f64;
+        noise.iter_mut().for_each(|own| *own *= step);
+        Sizes { largest, noise }
+    }
+
     /// Gives what is nothing but rounding the size of the largest of its unit: a share of its own size would make steps follow noise.
     /// Audited energies stand behind the states.
-    pub(crate) fn measure_rounding(&self, largest: &mut [f64]) {
+    fn measure_rounding(&self, largest: &mut [f64]) {
         let units: Vec<Option<&str>> = (0..largest.len())
             .map(|index| self.states.get(index).map(|state| state.unit_name.as_str()))
             .collect();
@@ -536,6 +591,11 @@ impl Equations {
             other => format!("{other:?} at {t} s"),
         }
     }
+}
+
+/// Places at which a rough pass measures what rounding does to the rates.
+pub(crate) fn looks(duration: f64) -> Vec<f64> {
+    (1..=LOOKS).map(|k| duration * k as f64 / LOOKS as f64).collect()
 }
 
 /// Which of some values has jumped, if one has.

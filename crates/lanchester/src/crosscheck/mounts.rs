@@ -41,6 +41,9 @@ const RATIO: f64 = 0.02;
 /// Below this share nothing is left that could be halved.
 const NOTHING: f64 = 1e-8;
 
+/// What the ends of a periodic motion are apart at most [m, rad]: `CLOSED` of a millimetre or milliradian.
+const CLOSED: f64 = 1e-13;
+
 /// Orders below this share of the largest are not listed.
 const LISTED: f64 = 1e-3;
 
@@ -57,6 +60,9 @@ const KINDS: [(&str, &str, usize); 3] = [
     ("rotation of the block", "rad", 3),
     ("forces at the mounts", "N", 6),
 ];
+
+/// First components of the motion's kinds.
+const TURNED_OR_MOVED: [usize; 2] = [0, 3];
 
 /// Components of a kind.
 fn part(values: &[Complex64], from: usize) -> &[Complex64] {
@@ -137,7 +143,7 @@ pub(crate) fn moving_block(pair: &Pair<'_>) -> Result<Result<Vec<CrossRow>, Stri
     };
     let what = "what is left, over that of half the moving mass";
     let own = sum(&[(1.0, &both), (-1.0, &found)]);
-    let Some(row) = ratio_row(what, (&whole, &own, &found), by_inertia)? else {
+    let Some(row) = ratio_row(what, (&whole, &own, &found), CLOSED, by_inertia)? else {
         return Ok(Err("no periodic motion was found with less moving mass".into()));
     };
     rows.extend(row);
@@ -156,33 +162,38 @@ pub(crate) fn moving_block(pair: &Pair<'_>) -> Result<Result<Vec<CrossRow>, Stri
         }));
         let what = "what is left of the motion by a little gas, over that of half the moving mass";
         let by_gas = |engine: &Engine, _| Ok(of_small_gas(pair, engine, share)?.map(|gas| gas.left()));
-        rows.extend(ratio_row(what, (&whole, &gas.left(), &gas.found), by_gas)?.flatten());
+        rows.extend(ratio_row(what, (&whole, &gas.left(), &gas.found), CLOSED / share, by_gas)?.flatten());
     }
     Ok(Ok(rows))
 }
 
-/// The ratio of what is left to what is left with half the moving mass, which must be 2; none where nothing is left, and no row but `None` where a motion is
-/// not found. Where it is not 2, what goes with the square of the moving mass is taken out with the help of a quarter of it. Beside the engine what is left
+/// The ratio of what is left to what is left with half the moving mass, which must be 2; none where nothing is left that stands out of the error of the runs, and no
+/// row but `None` where a motion is not found. Where it is not 2, what goes with the square of the moving mass is taken out with the help of a quarter of it. Beside the engine what is left
 /// of it and of which motion; `left_of` another one with this share of the moving mass.
 fn ratio_row(
     name: &str,
     (engine, all, whole): (&Engine, &Orders, &Orders),
+    error: f64,
     left_of: impl Fn(&Engine, f64) -> Result<Option<Orders>, CrossCheckError>,
 ) -> Result<Option<Option<CrossRow>>, CrossCheckError> {
-    if share(all, whole) <= NOTHING {
+    // Half of what is left must stand so far above the error that the ratio keeps its bar.
+    let stands_out = |from: &usize| RATIO * 0.5 * most(all, *from) > 2.0 * error;
+    let kinds: Vec<usize> = TURNED_OR_MOVED.into_iter().filter(stands_out).collect();
+    let share = |own: &Orders| share(&kinds, own, whole);
+    if share(all) <= NOTHING {
         return Ok(Some(None));
     }
     let row = |ratio: f64| CrossRow::held(name, "1", None, [2.0, ratio, (ratio - 2.0).abs(), 2.0], RATIO);
     let half = halved(engine);
     let Some(of_half) = left_of(&half, 0.5)? else { return Ok(None) };
-    let plain = share(all, whole) / share(&of_half, whole);
+    let plain = share(all) / share(&of_half);
     let found = row(plain);
     if found.verdict == CrossVerdict::Agrees {
         return Ok(Some(Some(found)));
     }
     let Some(of_quarter) = left_of(&halved(&half), 0.25)? else { return Ok(None) };
-    let own = share(&sum(&[(4.0, &of_half), (-1.0, all)]), whole);
-    let of_half = share(&sum(&[(4.0, &of_quarter), (-1.0, &of_half)]), whole);
+    let own = share(&sum(&[(4.0, &of_half), (-1.0, all)]));
+    let of_half = share(&sum(&[(4.0, &of_quarter), (-1.0, &of_half)]));
     let mut found = row(own / of_half);
     found.reason = Some(format!("without what goes with the square of the moving mass; with it {plain:.4}"));
     Ok(Some(Some(found)))
@@ -293,16 +304,18 @@ fn motion_rows(
 
 /// Largest difference of two motions, as a share of the second.
 fn off(a: &Orders, b: &Orders) -> f64 {
-    share(&sum(&[(1.0, a), (-1.0, b)]), b)
+    share(&TURNED_OR_MOVED, &sum(&[(1.0, a), (-1.0, b)]), b)
 }
 
-/// Largest component of a difference, translations over the largest translation of `whole` and rotations over its largest rotation.
-fn share(difference: &Orders, whole: &Orders) -> f64 {
-    let most = |orders: &Orders, from: usize| {
-        let all = orders.iter().flat_map(|(_, motion)| part(motion, from)).map(|value| value.norm());
-        all.fold(f64::MIN_POSITIVE, f64::max)
-    };
-    [0, 3].map(|from| most(difference, from) / most(whole, from)).into_iter().fold(0.0, f64::max)
+/// Largest component of a kind over all orders.
+fn most(orders: &Orders, from: usize) -> f64 {
+    let all = orders.iter().flat_map(|(_, motion)| part(motion, from)).map(|value| value.norm());
+    all.fold(f64::MIN_POSITIVE, f64::max)
+}
+
+/// Largest component of a difference, each kind over its largest in `whole`.
+fn share(kinds: &[usize], difference: &Orders, whole: &Orders) -> f64 {
+    kinds.iter().map(|from| most(difference, *from) / most(whole, *from)).fold(0.0, f64::max)
 }
 
 /// The engine with the numbers of its whole body in `[block]`; `None` where its mounts do not hold it.

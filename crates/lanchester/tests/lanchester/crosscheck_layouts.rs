@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use lanchester::file::{read, template};
+use lanchester::file::{complete, read, template};
 use lanchester::literature::{ArrangementOptions, TwinArrangement, arranged};
 use lanchester::model::{Engine, Flywheel};
 use lanchester::report::{Condition, CrossCheck, CrossRow, CrossVerdict};
@@ -147,4 +147,20 @@ fn xcheck_heavy_radial_on_soft_mounts() {
     // Of the gas the plain ratio is off: its row says what was taken out.
     let reason = held[1].reason.as_ref().unwrap();
     assert!(reason.starts_with("without what goes with the square of the moving mass"), "{reason}");
+}
+
+/// Where inertia hardly moves the block, what is rounding of it is held against nothing, and no step of a run follows it: a V12's momentum along the crank stays
+/// below a ten-millionth of that across.
+#[test]
+fn xcheck_engines_that_hardly_shake() {
+    for (name, conditions) in
+        [("flat-12", [Condition::MovingBlock].as_slice()), ("v12-60", &[Condition::AllFree])]
+    {
+        let completed = complete(template(name).unwrap().text, &[], None).unwrap();
+        let engine = read(&completed.text).engine().unwrap();
+        let request = CrossCheckRequest { conditions: conditions.to_vec(), ..CrossCheckRequest::default() };
+        let check = crosscheck(&engine, &[], &request).unwrap();
+        assert_eq!(check.conditions[0].not_applicable, None, "{name}");
+        assert!(check.agrees(), "{name}: {:?}", check.conditions[0].rows);
+    }
 }
