@@ -37,7 +37,7 @@ pub use main_rules::{MainRule, MainShares};
 pub use maxwell::{MOST_BRANCHES, MaxwellChain};
 pub use motion::Motion;
 pub use mount_place::MountPlace;
-pub use periodic::{Followed, Periodic, PeriodicOutcome};
+pub use periodic::{Followed, MapDerivative, Periodic, PeriodicOutcome};
 pub use place::Place;
 pub use reactions::*;
 pub use referee::engine::RefereeEngine;

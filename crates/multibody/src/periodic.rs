@@ -21,7 +21,7 @@ use crate::run::result::{Run, RunOutcome, RunState};
 use crate::run::runner::Runner;
 use crate::simulation::{Duration, Simulation};
 use crate::train::Train;
-use nalgebra::DVector;
+use nalgebra::{DMatrix, DVector};
 pub use outcome::{Followed, PeriodicOutcome};
 use search::{NEARLY, Search, multipliers};
 use serde::Serialize;
@@ -72,14 +72,7 @@ impl Train {
         watch: &dyn Fn(RunState) -> bool,
     ) -> Result<Periodic, MultibodyError> {
         let revolutions = f64::from(self.revolutions);
-        let tolerance = simulation.tolerance.min(1e-11);
-        let quiet = Simulation {
-            duration: Duration::Revolutions(revolutions),
-            reactions: false,
-            step: std::f64::consts::TAU * revolutions,
-            tolerance,
-            ..simulation.clone()
-        };
+        let quiet = self.one_period(simulation, false);
         let cancelled = Cell::new(false);
         let watch = |state| {
             let goes_on = watch(state);
@@ -89,35 +82,8 @@ impl Train {
         let mut runner = Runner::new(self, &quiet, gas)?;
         runner.watch = &watch;
         let mut search = Search::new(runner);
-        let mut x = search.start.clone();
-        let mut walk = Walk::default();
-        // With a past the time of a period must be known first.
-        if !search.has_past() {
-            search.newton(&mut x);
-        }
-        for periods in FOLLOWED {
-            if search.residual < NEARLY || cancelled.get() {
-                break;
-            }
-            // From where the motion was left before, not from Newton's last trial.
-            if let Some((end, past)) = walk.end.take() {
-                (x, search.past) = (end, past);
-            } else {
-                x.copy_from(&search.start);
-            }
-            if !walk.follow(&mut search, &mut x, periods) {
-                break;
-            }
-            walk.end = Some((x.clone(), search.past.clone()));
-            search.newton(&mut x);
-        }
-        if search.residual >= NEARLY
-            && !cancelled.get()
-            && let Some((end, past)) = walk.end.take()
-        {
-            (x, search.past) = (end, past);
-            search.residual = walk.off;
-        }
+        search.is_judged = true;
+        let (x, walk) = search.from_start(&cancelled);
         let outcome = match search.residual < NEARLY {
             _ if cancelled.get() => PeriodicOutcome::Cancelled,
             false => PeriodicOutcome::NotFound,
@@ -125,16 +91,13 @@ impl Train {
         };
         let multipliers = search.at_motion.as_ref().map_or_else(Vec::new, multipliers);
         let came_to_rest = outcome == PeriodicOutcome::NotFound && walk.came_to_rest;
-        let shown = |periods: usize| Simulation {
-            duration: Duration::Revolutions(revolutions * periods as f64),
-            tolerance,
-            ..simulation.clone()
-        };
+        let mut shown = self.one_period(simulation, true);
         let mut run = if came_to_rest {
-            self.run_from(&shown(walk.periods + 1), gas, None, &|_| true)?
+            shown.duration = Duration::Revolutions(revolutions * (walk.periods + 1) as f64);
+            self.run_from(&shown, gas, None, &|_| true)?
         } else {
             let past = search.past.take();
-            self.run_from(&shown(1), gas, Some((x.as_slice(), past.as_ref())), &|_| true)?
+            self.run_from(&shown, gas, Some((x.as_slice(), past.as_ref())), &|_| true)?
         };
         if cancelled.get() {
             run.outcome = RunOutcome::Cancelled;
@@ -147,6 +110,84 @@ impl Train {
         });
         let (residual, iterations) = (search.residual, search.iterations);
         Ok(Periodic { outcome, residual, iterations, multipliers, followed, run })
+    }
+
+    /// One period of the periodic motion next to the start with its samples, to a residual of 1e-8, without a word on its stability, which costs two periods for each
+    /// component of the state; `None` where none was found. The `derivative` that a search for a similar motion left saves as many again; it is left for the next.
+    ///
+    /// # Errors
+    /// As [`Train::run`].
+    pub fn closed_period(
+        &self,
+        simulation: &Simulation,
+        gas: Option<&dyn GasPressure>,
+        derivative: &mut MapDerivative,
+    ) -> Result<Option<Run>, MultibodyError> {
+        let quiet = self.one_period(simulation, false);
+        let mut search = Search::new(Runner::new(self, &quiet, gas)?);
+        search.derivative = derivative.0.take().filter(|own| own.nrows() == search.start.len());
+        let (x, _) = search.from_start(&Cell::new(false));
+        derivative.0 = search.derivative.take();
+        if search.residual >= NEARLY {
+            return Ok(None);
+        }
+        let past = search.past.take();
+        let shown = self.one_period(simulation, true);
+        self.run_from(&shown, gas, Some((x.as_slice(), past.as_ref())), &|_| true).map(Some)
+    }
+
+    /// What is simulated of a search, and of the motion that it finds where `is_shown`.
+    fn one_period(&self, simulation: &Simulation, is_shown: bool) -> Simulation {
+        let revolutions = f64::from(self.revolutions);
+        let own = Simulation {
+            duration: Duration::Revolutions(revolutions),
+            tolerance: simulation.tolerance.min(1e-11),
+            ..simulation.clone()
+        };
+        if is_shown {
+            return own;
+        }
+        Simulation { reactions: false, step: std::f64::consts::TAU * revolutions, ..own }
+    }
+}
+
+/// Derivative of the map of one period, as [`Train::closed_period`] leaves it; none at first.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct MapDerivative(Option<DMatrix<f64>>);
+
+impl Search<'_> {
+    /// Newton from the start and, where that finds nothing, from where the motion comes to: the best place, and how far the motion was followed.
+    fn from_start(&mut self, cancelled: &Cell<bool>) -> (DVector<f64>, Walk) {
+        let mut x = self.start.clone();
+        let mut walk = Walk::default();
+        // With a past the time of a period must be known first.
+        if !self.has_past() {
+            self.newton(&mut x);
+        }
+        for periods in FOLLOWED {
+            if self.residual < NEARLY || cancelled.get() {
+                break;
+            }
+            // From where the motion was left before, not from Newton's last trial.
+            if let Some((end, past)) = walk.end.take() {
+                (x, self.past) = (end, past);
+            } else {
+                x.copy_from(&self.start);
+            }
+            if !walk.follow(self, &mut x, periods) {
+                break;
+            }
+            walk.end = Some((x.clone(), self.past.clone()));
+            self.newton(&mut x);
+        }
+        if self.residual >= NEARLY
+            && !cancelled.get()
+            && let Some((end, past)) = walk.end.take()
+        {
+            (x, self.past) = (end, past);
+            self.residual = walk.off;
+        }
+        (x, walk)
     }
 }
 

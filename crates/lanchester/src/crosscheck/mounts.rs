@@ -246,9 +246,9 @@ pub(crate) fn all_free(pair: &Pair<'_>) -> Result<Result<Vec<CrossRow>, String>,
     let Some(whole) = with_whole_block(pair.engine) else {
         return Ok(Err("its mounts leave a motion free".into()));
     };
-    let (Some(free), Some(imposed), Some(both)) = (
-        simulated(pair, &whole, Run::Free)?,
+    let (Some(imposed), Some(free), Some(both)) = (
         simulated(pair, &whole, Run::Imposed(1.0))?,
+        simulated(pair, &whole, Run::Free)?,
         linear(pair, &whole, Rotors::BOTH, 1.0)?,
     ) else {
         return Ok(Err("no periodic motion was found".into()));
@@ -404,10 +404,12 @@ fn simulated(pair: &Pair<'_>, engine: &Engine, run: Run) -> Result<Option<Orders
         };
         simulation.load = Load { law, reacts_on: ReactsOn::Block };
     }
-    let found = train.periodic(&simulation, given.as_ref().map(|given| given as &dyn GasPressure))?;
-    let Some(block) = engine.block.as_ref().filter(|_| found.residual < 1e-8) else { return Ok(None) };
+    let given = given.as_ref().map(|given| given as &dyn GasPressure);
+    // Moving masses and gas hardly change what a motion of the block comes to in a period.
+    let found = train.closed_period(&simulation, given, &mut pair.derivative.borrow_mut())?;
+    let (Some(found), Some(block)) = (found, &engine.block) else { return Ok(None) };
     let centre = Vector3::from(block.centre);
-    let samples = &found.run.samples;
+    let samples = &found.samples;
     let at = |k: usize| -> Vec<f64> {
         let (position, orientation) = (samples.position[k].into(), samples.orientation[k]);
         let rotation = Motion { position, orientation, ..Motion::fixed(0.0, 0.0) }.rotation();

@@ -4,10 +4,13 @@ use crate::pressure::error::GasError;
 use lanchester_bondgraph::EngineGraphError;
 use lanchester_mechanism::{CylinderGas, LoadError, TorqueError};
 use lanchester_model::{Engine, SimulationInput};
-use lanchester_multibody::{Guidance, Instant, Motion, MultibodyError, Reactions, RotorShares, Train};
+use lanchester_multibody::{
+    Guidance, Instant, MapDerivative, Motion, MultibodyError, Reactions, RotorShares, Train,
+};
 use lanchester_report::Condition;
 use nalgebra::Vector3;
 use num_complex::Complex64;
+use std::cell::RefCell;
 
 /// What to compare.
 #[derive(Debug, Clone, PartialEq)]
@@ -58,6 +61,8 @@ pub(crate) struct Pair<'a> {
     pub gas: Option<&'a [CylinderGas]>,
     pub train: Train,
     pub request: &'a CrossCheckRequest,
+    /// Derivative of the map of a period on mounts, from one run to the next.
+    pub derivative: RefCell<MapDerivative>,
 }
 
 /// Force, couple, roll moment on the block and shaft torque, as complex numbers.

@@ -14,6 +14,7 @@ use lanchester_model::Engine;
 use lanchester_multibody::{LoadLaw, Reactions, RunOutcome, Simulation, Train};
 use lanchester_report::{CROSSCHECK_VERSION, Condition, ConditionCheck, CrossCheck, CrossRow};
 use num_complex::Complex64;
+use std::cell::RefCell;
 use std::f64::consts::TAU;
 
 /// Both sides are exact but for rounding: the share of the largest amplitude of their kind by which they may differ.
@@ -64,6 +65,7 @@ pub fn crosscheck(
         gas: report.as_ref().map(|report| &report.cylinders[..]),
         train: Train::new(engine, &rotor_inertia(engine))?,
         request,
+        derivative: RefCell::default(),
     };
     let wanted = |condition: &&Condition| match request.conditions.as_slice() {
         [] => condition.is_usual(),

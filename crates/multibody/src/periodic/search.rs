@@ -53,7 +53,11 @@ pub(super) struct Search<'a> {
     pub residual: f64,
     /// Newton's iterations.
     pub iterations: usize,
-    /// Derivative of the map less its argument at the motion that was found.
+    /// Whether the stability of the motion is asked for.
+    pub is_judged: bool,
+    /// Derivative of the map less its argument from before, or the last one.
+    pub derivative: Option<DMatrix<f64>>,
+    /// The same at the motion that was found, where its stability is asked for.
     pub at_motion: Option<DMatrix<f64>>,
     /// How the last period ended.
     pub ended: RunOutcome,
@@ -89,6 +93,8 @@ impl<'a> Search<'a> {
             moves_freely,
             residual: f64::INFINITY,
             iterations: 0,
+            is_judged: false,
+            derivative: None,
             at_motion: None,
             ended: RunOutcome::Complete,
             past,
@@ -142,7 +148,8 @@ impl<'a> Search<'a> {
             return self.newton_with_past(x);
         }
         // A derivative from farther away serves until it no longer helps; the multipliers take one at the motion itself.
-        let (mut slope, mut helps) = (None, false);
+        let mut slope = self.derivative.take();
+        let mut helps = slope.is_some();
         let mut best: Option<(f64, DVector<f64>)> = None;
         let (mut idle, mut last) = (0, f64::INFINITY);
         for _ in 0..ITERATIONS {
@@ -157,7 +164,9 @@ impl<'a> Search<'a> {
                 break;
             }
             if off < CLOSED {
-                self.at_motion = self.slope(x, &change, true);
+                if self.is_judged {
+                    self.at_motion = self.slope(x, &change, true);
+                }
                 break;
             }
             helps = helps && off < HELPS * last;
@@ -172,6 +181,9 @@ impl<'a> Search<'a> {
         }
         if let Some((least, place)) = best {
             (self.residual, *x) = (least, place);
+        }
+        if !self.is_judged {
+            self.derivative = slope;
         }
     }
 

@@ -6,6 +6,7 @@ use lanchester_mechanism::CylinderGas;
 use lanchester_model::Engine;
 use lanchester_multibody::{MainRule, Train};
 use lanchester_report::MainRules;
+use std::cell::RefCell;
 
 /// Loads at these angles; why not, in words.
 pub(crate) fn main_rules(
@@ -18,7 +19,7 @@ pub(crate) fn main_rules(
     let train = Train::new(engine, &rotor_inertia(engine)).map_err(|error| error.to_string())?;
     let shares = train.main_shares(&[]);
     let request = CrossCheckRequest::default();
-    let pair = Pair { engine, speed, gas, train, request: &request };
+    let pair = Pair { engine, speed, gas, train, request: &request, derivative: RefCell::default() };
     let mut loads: Vec<[Vec<[f64; 2]>; 3]> = Vec::new();
     for theta in theta {
         let all = pair.reactions(*theta, &shares);
