@@ -4,7 +4,7 @@ use crate::inertias::{rotor_inertia, shaped_crankshafts};
 use crate::pressure::cylinders::cylinder_gas;
 use crate::pressure::error::GasError;
 use crate::pressure::measured::TraceFile;
-use crate::simulation::gas_torque::mean_and_friction;
+use crate::simulation::gas_torque::{chosen_load, mean_and_friction};
 use lanchester_bondgraph::{
     Curve, Description, EngineBlock, EngineDrive, EngineGraphError, EngineJoints, EngineLink, EngineLoad,
     EngineRequest, EngineStarter, GasStates, LoadTorque, Unit, engine_graph,
@@ -37,7 +37,8 @@ pub struct BondGraphRequest {
     pub gas_as_states: bool,
     /// What the file says of a run: load, starter, driveline, torques, start. What is given here goes before it.
     pub simulation: SimulationInput,
-    /// Torque of the load; `None`: that of the file, else with gas the mean that the engine gives at the start speed, without none.
+    /// Torque of the load; `None`: that of the file, else with gas the mean that the engine gives at the start speed (of a periodic motion in proportion to the speed),
+    /// without none.
     pub load: Option<LoadTorque>,
     /// Whether the load is bolted to the block; `false`: as the file says, else from the ground.
     pub load_on_block: bool,
@@ -186,12 +187,10 @@ pub fn engine_bond_graph(
         (None, Some(load)) => LoadTorque::from(&load.law),
         (None, None) if imposed || report.is_none() => LoadTorque::None,
         (None, None) => {
-            let load = mean - found.friction_torque;
-            notes.push(format!(
-                "Load: {load:.4} N m, constant, the mean that the engine gives at {:.0} rpm.",
-                reference * 30.0 / PI
-            ));
-            LoadTorque::Constant(load)
+            let load = (mean - found.friction_torque).max(0.0);
+            let ratio = input.driveline.iter().map(|link| link.ratio).product();
+            let is_periodic = found.periodic && input.governor.is_none();
+            LoadTorque::from(&chosen_load(load, reference, ratio, is_periodic, &mut notes))
         }
     };
     found.drive = if imposed { EngineDrive::Imposed } else { EngineDrive::Free };

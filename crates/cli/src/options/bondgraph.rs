@@ -79,7 +79,7 @@ pub struct EngineOptions {
     #[arg(long)]
     pub imposed: bool,
     /// Of an engine file: torque of a constant load, with its unit, or `none`; default: with gas the mean that the engine gives at the
-    /// start speed.
+    /// start speed, of a periodic motion in proportion to the speed.
     #[arg(long, value_name = "TORQUE")]
     pub load: Option<String>,
     /// Of an engine file: the load is bolted to the block.

@@ -33,7 +33,7 @@ pub struct SimulateArguments {
     /// Whether the block moves; default: on its mounts where the file gives them in a form that a run in time can use.
     #[arg(long, value_enum)]
     pub block: Option<BlockOption>,
-    /// Torque of a constant load, with its unit, or `none`; default: as the file says, else with gas the mean that the engine gives at the start speed.
+    /// Torque of a constant load, with its unit, or `none`; default: as the file says, else with gas the mean that the engine gives at the start speed, of a periodic motion in proportion to the speed.
     #[arg(long, value_name = "TORQUE")]
     pub load: Option<String>,
     /// The load is bolted to the block, as a generator: its reaction goes there instead of to the ground.

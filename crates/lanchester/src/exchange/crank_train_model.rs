@@ -3,8 +3,9 @@
 use crate::crosscheck::pair::CrossCheckError;
 use crate::pressure::measured::TraceFile;
 use crate::pressure::simulated::GivenGas;
+use crate::simulation::gas_torque::CHOSEN_LOAD;
 use crate::simulation::plan::{SimulateRequest, action_words};
-use crate::simulation::prepared::{CHOSEN_LOAD, Prepared, prepare};
+use crate::simulation::prepared::{Prepared, prepare};
 use lanchester_exchange::{FmuKind, FmuRole, FmuVariable};
 use lanchester_file::EngineFile;
 use lanchester_model::RunLength;
@@ -114,7 +115,9 @@ impl CrankTrainModel {
         } = prepared;
         simulation.reactions = false;
         let mut load = 0.0;
-        if is_load_chosen && let LoadLaw::Constant(torque) = simulation.load.law {
+        if is_load_chosen
+            && let LoadLaw::Constant(torque) | LoadLaw::Viscous { torque, .. } = simulation.load.law
+        {
             (load, simulation.load.law) = (torque, LoadLaw::None);
             notes.retain(|note| !note.starts_with(CHOSEN_LOAD));
             notes.push(format!(

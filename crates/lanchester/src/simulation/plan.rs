@@ -26,7 +26,7 @@ pub struct SimulateRequest {
     pub gravity: Option<bool>,
     /// Whether the gas of the file acts; by default it does.
     pub gas: Option<bool>,
-    /// Load; by default with gas the constant mean torque that the engine gives at the start speed, without gas none.
+    /// Load; by default with gas the constant mean torque that the engine gives at the start speed (of a periodic motion in proportion to the speed), without gas none.
     pub load: Option<LoadLaw>,
     /// Where the reaction to the load goes; by default to the ground.
     pub reacts_on: Option<ReactsOn>,

@@ -5,16 +5,13 @@ use crate::inertias::rotor_inertia;
 use crate::pressure::cylinders::GasReport;
 use crate::pressure::measured::TraceFile;
 use crate::pressure::simulated::gas_over_speed;
-use crate::simulation::gas_torque::mean_and_friction;
+use crate::simulation::gas_torque::{chosen_load, mean_and_friction};
 use crate::simulation::plan::{RunPlan, SimulateRequest, plan};
 use lanchester_file::EngineFile;
 use lanchester_mechanism::LoadError;
 use lanchester_model::RunLength;
 use lanchester_multibody::{Drive, Load, LoadLaw, ReactsOn, Simulation, Train};
 use std::f64::consts::PI;
-
-/// How the note begins that tells the load of a run for which nobody gives one.
-pub(crate) const CHOSEN_LOAD: &str = "Load:";
 
 /// A run before it starts.
 pub(crate) struct Prepared {
@@ -83,11 +80,9 @@ pub(crate) fn prepare(
         (None, None) => {
             is_load_chosen = true;
             let load = (mean - simulation.friction_torque).max(0.0);
-            notes.push(format!(
-                "{CHOSEN_LOAD} {load:.4} N m, constant, the mean that the engine gives at {:.0} rpm.",
-                speed * 30.0 / PI
-            ));
-            LoadLaw::Constant(load)
+            let ratio = simulation.driveline.iter().map(|link| link.ratio).product();
+            let is_periodic = length == RunLength::Periodic && simulation.governor.is_none();
+            chosen_load(load, speed, ratio, is_periodic, &mut notes)
         }
     };
     let reacts_on = request.reacts_on.or(in_file.map(|load| load.reacts_on)).unwrap_or(ReactsOn::Ground);

@@ -288,7 +288,7 @@ static EVENT: Table = Table {
 
 pub(super) static LOAD: Table = Table {
     header: "[load]",
-    doc: "What takes the power in a run, at the end of the driveline. Default with gas: constant, the mean that the engine gives at the start speed.",
+    doc: "What takes the power in a run, at the end of the driveline. Default with gas: constant, the mean that the engine gives at the start speed; of a periodic motion in proportion to the speed.",
     keys: &[
         key(
             "type",
