@@ -18,6 +18,9 @@ pub struct PeriodicCurve {
     period: f64,
     knots: Vec<f64>,
     pieces: Vec<[f64; 4]>,
+    /// By equal parts of the period, as many as there are knots: the piece in which each begins.
+    #[serde(skip)]
+    begins_in: Vec<u32>,
 }
 
 /// Why there is no such curve.
@@ -89,7 +92,17 @@ impl PeriodicCurve {
 
     fn new(period: f64, knots: Vec<f64>, pieces: Vec<[f64; 4]>) -> Result<PeriodicCurve, CurveError> {
         check(period, &knots, pieces.iter().flatten())?;
-        Ok(PeriodicCurve { period, knots, pieces })
+        let parts = knots.len();
+        let mut piece = 0;
+        let begins_in = (0..parts).map(|part| {
+            let begin = knots[0] + period * part as f64 / parts as f64;
+            while knots.get(piece + 1).is_some_and(|next| *next <= begin) {
+                piece += 1;
+            }
+            piece as u32
+        });
+        let begins_in = begins_in.collect();
+        Ok(PeriodicCurve { period, knots, pieces, begins_in })
     }
 
     /// Its period [rad].
@@ -111,19 +124,19 @@ impl PeriodicCurve {
     /// The piece in which `t` lies, and how far beyond its first knot.
     fn place(&self, t: f64) -> (usize, f64) {
         let from = self.knots[0];
-        let beyond = (t - from).rem_euclid(self.period);
+        let ahead = t - from;
+        let beyond = if (0.0..self.period).contains(&ahead) { ahead } else { ahead.rem_euclid(self.period) };
         let turned = if beyond < self.period { beyond + from } else { from };
-        // Knots are nearly always at equal distances: then the piece is where it should be.
-        let guess = ((turned - from) / self.period * self.knots.len() as f64) as usize;
-        let holds = |piece: usize| {
-            let next = self.knots.get(piece + 1).is_none_or(|next| turned < *next);
-            self.knots.get(piece).is_some_and(|knot| *knot <= turned) && next
-        };
-        let piece = if holds(guess) {
-            guess
-        } else {
-            self.knots.partition_point(|knot| *knot <= turned).saturating_sub(1)
-        };
+        let parts = self.knots.len();
+        let part = (((turned - from) / self.period * parts as f64) as usize).min(parts - 1);
+        let mut piece = self.begins_in[part] as usize;
+        // The part may be one off by rounding; what is no number stays where it is.
+        while piece > 0 && turned < self.knots[piece] {
+            piece -= 1;
+        }
+        while self.knots.get(piece + 1).is_some_and(|next| *next <= turned) {
+            piece += 1;
+        }
         (piece, turned - self.knots[piece])
     }
 
@@ -348,6 +361,34 @@ mod tests {
         };
         let (coarse, fine) = (worst(40), worst(80));
         assert!(coarse < 1e-5 && fine < coarse / 12.0, "{coarse:e} {fine:e}");
+    }
+
+    proptest! {
+        /// Knots that crowd anywhere within the period, near either end too; angles at knots, beside them and between, some periods away.
+        #[test]
+        fn prop_the_piece_is_that_between_its_knots(
+            steps in proptest::collection::vec(-6.0f64..0.0, 1..40),
+            first in -3.0f64..3.0,
+            at in proptest::collection::vec((0usize..40, -2.0f64..2.0, -3i32..4), 20),
+        ) {
+            let lengths: Vec<f64> = steps.iter().map(|power| 10f64.powf(*power)).collect();
+            let whole: f64 = lengths.iter().sum();
+            let mut knots = vec![first];
+            for length in &lengths[1..] {
+                knots.push(knots[knots.len() - 1] + TAU * length / whole);
+            }
+            let pieces = (0..knots.len()).map(|k| [k as f64, 0.0, 0.0, 0.0]).collect();
+            let curve = PeriodicCurve::new(TAU, knots.clone(), pieces).expect("knots rise");
+            for (knot, share, turns) in at {
+                let knot = knot % knots.len();
+                let own = (knots[knot] + share * lengths[knot] / whole - first).rem_euclid(TAU) + first;
+                // The piece of the last knot before it, by a plain search.
+                let wanted = knots.partition_point(|knot| *knot <= own).saturating_sub(1);
+                let t = if turns == 0 { own } else { knots[knot] };
+                let wanted = if turns == 0 { wanted } else { knot };
+                prop_assert_eq!(curve.at(t), wanted as f64, "{} of {:?}", t, knots);
+            }
+        }
     }
 
     #[test]
