@@ -8,7 +8,7 @@ use crate::command::{cargo, quiet};
 use crate::steps::{Lane, Steps};
 use crate::workspace::{Profile, program, root};
 use crate::{
-    book, browser, claims, documents, engines, generate, hostile, lint, notices, page, python, supply,
+    book, browser, claims, dist, documents, engines, generate, hostile, lint, notices, page, python, supply,
     test_programs, tidy,
 };
 use anyhow::{Context, Result};
@@ -20,6 +20,7 @@ pub fn run(mut steps: Steps) -> Result<()> {
         Lane::new()
             .step("formatting", formatting)
             .step("rules of the house", tidy::sources)
+            .step("packages of the crates", dist::crates::check)
             .step("licences, sources and advisories of others", || supply::check(true))
             .step("page of the studio: types, lint, format, unit tests", page::check)
             .step("built page is fresh", page::check_built)

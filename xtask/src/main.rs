@@ -49,6 +49,8 @@ tasks of the workspace
   cargo xtask wheel                             build the wheel of the Python package into target/wheels
   cargo xtask dist                              build the release archive, and with dpkg-deb the Debian package, into target/dist: program, binary of units,
                                                 completions, manual pages, examples, book
+  cargo xtask package [--compile]               every published crate as a package of a registry, which must be whole; --compile compiles the program
+                                                from the packages alone
   cargo xtask reports                           open the reports of all examples in a browser
   cargo xtask pictures                          draw the pictures of the studio's guide anew, in a browser
   cargo xtask notices                           write the notices of third parties anew
@@ -114,6 +116,14 @@ fn task(arguments: &[String]) -> Result<()> {
         }
         Some("dist") if rest.is_empty() => {
             println!("{}", dist::build()?);
+            Ok(())
+        }
+        Some("package") if rest.is_empty() => {
+            println!("{}", dist::crates::check()?);
+            Ok(())
+        }
+        Some("package") if rest == ["--compile"] => {
+            println!("{}", dist::crates::compile()?);
             Ok(())
         }
         Some("reports") if rest.is_empty() => {

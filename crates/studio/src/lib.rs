@@ -1,4 +1,4 @@
-//! The studio: engine file, loads, balancing, counterweights and report in a browser, served to this machine alone.
+//! The studio: engine file, loads, balancing, counterweights and report in a browser, served to this machine alone unless a port is to be forwarded.
 //!
 //! [`serve`] answers at one address, which holds a random token: a page of assets that stand in the program, and an interface of
 //! JSON over the facade, the same structures as `--format json` prints. The engine file's text is the only state, and the page

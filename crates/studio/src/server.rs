@@ -45,6 +45,9 @@ pub struct Options {
     pub path: PathBuf,
     /// The port; `None`: a free one.
     pub port: Option<u16>,
+    /// Whether it listens at all interfaces, for a port that is forwarded; else at the loopback address alone. Hosts and origins are those of
+    /// the loopback address in both cases.
+    pub all_interfaces: bool,
     /// The token of the address; `None`: a random one.
     pub token: Option<String>,
     /// Name, version and commit of the program, for reports.
@@ -88,14 +91,15 @@ pub fn serve(options: &Options, announce: impl FnOnce(&str)) -> Result<(), Studi
     let runtime = tokio::runtime::Builder::new_multi_thread().enable_all().build();
     let runtime = runtime.map_err(|error| system(&error))?;
     let ended = runtime.block_on(async {
-        let address = SocketAddr::from((Ipv4Addr::LOCALHOST, options.port.unwrap_or(0)));
+        let interface = if options.all_interfaces { Ipv4Addr::UNSPECIFIED } else { Ipv4Addr::LOCALHOST };
+        let address = SocketAddr::from((interface, options.port.unwrap_or(0)));
         let listener = TcpListener::bind(address).await.map_err(|error| match error.kind() {
             std::io::ErrorKind::AddrInUse => StudioError::Taken { port: address.port() },
             _ => StudioError::Listen { address, error },
         })?;
-        let address = listener.local_addr().map_err(|error| system(&error))?;
-        let app = router(Arc::new(desk), Gate::new(token.clone(), address.port()));
-        announce(&format!("http://{address}/?token={token}"));
+        let port = listener.local_addr().map_err(|error| system(&error))?.port();
+        let app = router(Arc::new(desk), Gate::new(token.clone(), port));
+        announce(&format!("http://{}:{port}/?token={token}", Ipv4Addr::LOCALHOST));
         tokio::select! {
             never = answer(listener, app) => match never {},
             // Streams of events never end by themselves: nobody waits for them.

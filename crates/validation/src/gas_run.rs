@@ -1,12 +1,12 @@
 //! Torque and bearing loads by the gas.
 
-use crate::files::TRACES;
 use lanchester::mechanism::{
     BearingLoads, BearingRequest, Kinematics, Lever, Torque, TorqueRequest, bearing_loads, torque,
 };
 use lanchester::model::Engine;
 use lanchester::results::Extreme;
 use lanchester::{TraceFile, cylinder_gas};
+use lanchester_data::TRACES;
 use std::f64::consts::TAU;
 
 /// The traces that engine files of `validation/` may name.

@@ -1,5 +1,6 @@
 //! What is given to users: a release archive, and on Debian and its kin a package, both with the same tree of files.
 
+pub mod crates;
 mod debian;
 mod release;
 mod tree;

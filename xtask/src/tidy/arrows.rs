@@ -4,7 +4,7 @@ use serde_json::Value;
 
 /// Each crate and the workspace crates that it may name as normal dependencies. A crate that is not here may not
 /// exist: a new room needs a decision record and a line.
-const ARROWS: [(&str, &[&str]); 36] = [
+const ARROWS: [(&str, &[&str]); 37] = [
     ("lanchester-numerics", &[]),
     ("lanchester-shape", &["lanchester-numerics"]),
     ("lanchester-units", &[]),
@@ -141,9 +141,10 @@ const ARROWS: [(&str, &[&str]); 36] = [
             "lanchester-exchange",
         ],
     ),
-    ("lanchester-validation", &["lanchester"]),
+    ("lanchester-data", &[]),
+    ("lanchester-validation", &["lanchester", "lanchester-data"]),
     ("lanchester-files", &[]),
-    ("lanchester-answers", &["lanchester"]),
+    ("lanchester-answers", &["lanchester", "lanchester-data"]),
     ("lanchester-studio", &["lanchester-answers", "lanchester-files"]),
     (
         "lanchester-cli",

@@ -10,6 +10,7 @@ use lanchester::bondgraph::{
 };
 use lanchester::file::Diagnostic;
 use lanchester::{BondGraphRequest, engine_bond_graph};
+use lanchester_data::BOND_GRAPHS;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -18,25 +19,6 @@ use std::collections::BTreeMap;
 const MOST_SAMPLES: usize = 400;
 /// Evaluations of a run that somebody waits for.
 const MOST_EVALUATIONS: u64 = 200_000;
-
-/// Graphs of the course, to start from: name and file.
-const EXAMPLES: [(&str, &str); 15] = [
-    ("mass-spring-damper", include_str!("../../../../examples/bond-graphs/mass-spring-damper.toml")),
-    ("dc-motor", include_str!("../../../../examples/bond-graphs/dc-motor.toml")),
-    ("two-tanks", include_str!("../../../../examples/bond-graphs/two-tanks.toml")),
-    ("two-tanks-turbulent", include_str!("../../../../examples/bond-graphs/two-tanks-turbulent.toml")),
-    ("gear-train", include_str!("../../../../examples/bond-graphs/gear-train.toml")),
-    ("slider-crank", include_str!("../../../../examples/bond-graphs/slider-crank.toml")),
-    ("slider-crank-elastic", include_str!("../../../../examples/bond-graphs/slider-crank-elastic.toml")),
-    ("double-pendulum", include_str!("../../../../examples/bond-graphs/double-pendulum.toml")),
-    ("double-pendulum-stiff", include_str!("../../../../examples/bond-graphs/double-pendulum-stiff.toml")),
-    ("prismatic-pair", include_str!("../../../../examples/bond-graphs/prismatic-pair.toml")),
-    ("prismatic-pair-printed", include_str!("../../../../examples/bond-graphs/prismatic-pair-printed.toml")),
-    ("hydraulic-press", include_str!("../../../../examples/bond-graphs/hydraulic-press.toml")),
-    ("thermal-chain", include_str!("../../../../examples/bond-graphs/thermal-chain.toml")),
-    ("torsion-chain", include_str!("../../../../examples/bond-graphs/torsion-chain.toml")),
-    ("single-cylinder", include_str!("../../../../examples/bond-graphs/single-cylinder.toml")),
-];
 
 /// A graph file.
 #[derive(Debug, Serialize, JsonSchema)]
@@ -210,7 +192,7 @@ struct GraphPole {
 pub(crate) fn questions(api: Api) -> Api {
     let api = api.get("/api/bondgraph/examples", "Bond graphs to start from.", |_| {
         let own = |(name, text): &(&str, &str)| GraphExample { name: (*name).into(), text: (*text).into() };
-        Ok(EXAMPLES.iter().map(own).collect::<Vec<_>>())
+        Ok(BOND_GRAPHS.iter().map(own).collect::<Vec<_>>())
     });
     let api = api.post(
         "/api/bondgraph",
@@ -257,7 +239,7 @@ fn answer(text: &str, parts: &BTreeMap<String, String>) -> Result<GraphAnswer, P
             return Some(text.clone());
         }
         let name = name.strip_suffix(".toml").unwrap_or(name);
-        EXAMPLES.iter().find(|(own, _)| *own == name).map(|(_, text)| (*text).to_owned())
+        BOND_GRAPHS.iter().find(|(own, _)| *own == name).map(|(_, text)| (*text).to_owned())
     };
     let graph = Graph::read_with(text, &part).map_err(refuse)?;
     let found = equations(&graph).map_err(refuse)?;
@@ -352,7 +334,7 @@ mod tests {
 
     #[test]
     fn every_example_is_drawn_and_runs() {
-        for (name, text) in EXAMPLES {
+        for (name, text) in BOND_GRAPHS {
             let found =
                 answer(text, &BTreeMap::new()).unwrap_or_else(|problem| panic!("{name}: {problem:?}"));
             assert!(found.complete, "{name}: {}", found.ended);
@@ -364,7 +346,7 @@ mod tests {
     /// What a teacher does: a stiffer spring moves the poles of mass, spring and damper.
     #[test]
     fn another_number_moves_the_poles() {
-        let (_, text) = EXAMPLES[0];
+        let (_, text) = BOND_GRAPHS[0];
         let before = answer(text, &BTreeMap::new()).expect("it is good");
         let changed = text.replace("3 N s/m", "6 N s/m");
         assert_ne!(changed, text);
@@ -404,7 +386,7 @@ mod tests {
 
     #[test]
     fn mistakes_are_told_with_their_places() {
-        let (_, text) = EXAMPLES[0];
+        let (_, text) = BOND_GRAPHS[0];
         let problem = answer(&text.replace("3 N s/m", "3 N"), &BTreeMap::new()).expect_err("a wrong unit");
         assert!(problem.diagnostics.iter().any(|mistake| mistake.code == "E1705"), "{problem:?}");
     }

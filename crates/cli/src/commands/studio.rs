@@ -18,8 +18,13 @@ pub fn run(arguments: &StudioArguments) -> Result<u8, Failure> {
         Some(Description::Typescript) => print(&typescript()).map(|()| DONE),
         None => {
             let token = std::env::var(TOKEN).ok().filter(|token| !token.is_empty());
-            let (path, port) = (arguments.path.clone(), arguments.port);
-            let options = Options { path, port, token, program: PROGRAM.to_owned() };
+            let options = Options {
+                path: arguments.path.clone(),
+                port: arguments.port,
+                all_interfaces: arguments.all_interfaces,
+                token,
+                program: PROGRAM.to_owned(),
+            };
             let mut way_in = None;
             let announce = |address: &str| {
                 // Without a reader of this line the address is lost, and with it the studio: it stands on both.
@@ -27,6 +32,11 @@ pub fn run(arguments: &StudioArguments) -> Result<u8, Failure> {
                     eprintln!("{address}");
                 }
                 eprintln!("The studio answers at this address until Ctrl-C.");
+                if arguments.all_interfaces {
+                    eprintln!(
+                        "It listens at all network interfaces: whoever knows the address and reaches the port reads and writes the folder."
+                    );
+                }
                 if !arguments.no_open {
                     way_in = open(address);
                 }

@@ -12,6 +12,10 @@ pub struct StudioArguments {
     /// Port to listen at, on this machine alone; without it a free one.
     #[arg(long, value_name = "PORT", value_parser = clap::value_parser!(u16).range(1..))]
     pub port: Option<u16>,
+    /// Listen at all network interfaces, so that the port of a container can be published or forwarded under its own number; whoever asks still
+    /// needs the printed address, which goes over the network unencrypted.
+    #[arg(long)]
+    pub all_interfaces: bool,
     /// Only print the address, open no browser.
     #[arg(long)]
     pub no_open: bool,

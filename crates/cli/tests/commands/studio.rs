@@ -26,8 +26,13 @@ impl Drop for Server {
 
 impl Server {
     fn start(folder: &Path, path: &str) -> Server {
+        Server::start_with(folder, path, &[])
+    }
+
+    fn start_with(folder: &Path, path: &str, options: &[&str]) -> Server {
         let mut child = Command::new(env!("CARGO_BIN_EXE_lanchester"))
             .args(["studio", path, "--no-open"])
+            .args(options)
             .current_dir(folder)
             .stdout(Stdio::piped())
             .stderr(Stdio::null())
@@ -369,6 +374,24 @@ fn nobody_else_gets_in() {
 }
 
 /// Every answer, refusals and pages included, is kept by nobody and is nothing but what it says.
+/// Linux answers at all of 127.0.0.0/8: the second address stands for that of a container.
+#[test]
+#[cfg(target_os = "linux")]
+fn other_interfaces_reach_it_only_where_that_is_asked_for_and_with_the_token() {
+    let (folder, _) = three("studio-interfaces");
+    let at_another = |server: &Server| server.host.replace("127.0.0.1", "127.0.0.2");
+    let alone = Server::start(&folder, "three.toml");
+    assert!(TcpStream::connect(at_another(&alone)).is_err());
+    let mut server = Server::start_with(&folder, "three.toml", &["--all-interfaces"]);
+    let (own, another) = (server.host.clone(), at_another(&server));
+    server.host = another;
+    let status = |headers: &[(&str, &str)]| server.ask("GET", "/api/session", headers, b"").0;
+    let token = ("x-lanchester-token", server.token.as_str());
+    assert_eq!(status(&[("host", &own), token]), 200);
+    assert_eq!(status(&[("host", &own)]), 401);
+    assert_eq!(status(&[token]), 403);
+}
+
 #[test]
 fn every_answer_is_guarded() {
     let (folder, text) = three("studio-headers");
