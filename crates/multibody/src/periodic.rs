@@ -83,7 +83,7 @@ impl Train {
         runner.watch = &watch;
         let mut search = Search::new(runner);
         search.is_judged = true;
-        let (x, walk) = search.search_from_start(&cancelled);
+        let (x, walk) = search.find(&cancelled);
         let outcome = match search.residual < NEARLY {
             _ if cancelled.get() => PeriodicOutcome::Cancelled,
             false => PeriodicOutcome::NotFound,
@@ -126,7 +126,7 @@ impl Train {
         let quiet = self.one_period(simulation, false);
         let mut search = Search::new(Runner::new(self, &quiet, gas)?);
         search.derivative = derivative.0.take().filter(|own| own.nrows() == search.start.len());
-        let (x, _) = search.search_from_start(&Cell::new(false));
+        let (x, _) = search.find(&Cell::new(false));
         derivative.0 = search.derivative.take();
         if search.residual >= NEARLY {
             return Ok(None);
@@ -157,7 +157,7 @@ pub struct MapDerivative(Option<DMatrix<f64>>);
 
 impl Search<'_> {
     /// Newton from the start and, where that finds nothing, from where the motion comes to: the best place, and how far the motion was followed.
-    fn search_from_start(&mut self, cancelled: &Cell<bool>) -> (DVector<f64>, Walk) {
+    fn find(&mut self, cancelled: &Cell<bool>) -> (DVector<f64>, Walk) {
         let mut x = self.start.clone();
         let mut walk = Walk::default();
         // With a past the time of a period must be known first.
