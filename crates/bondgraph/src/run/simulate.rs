@@ -33,7 +33,7 @@ const ROUGH: u64 = 6000;
 /// What stays below this share of the largest of its unit is rounding: what symmetry keeps at zero, say.
 const ROUNDING: f64 = 1e-12;
 
-/// Their number: see [`looks`].
+/// Places at which a rough pass measures what rounding does to the rates.
 const LOOKS: usize = 24;
 
 /// A smaller change at an event is no jump, as a share.
@@ -199,7 +199,8 @@ impl Equations {
         let sizes = |compiled: &mut Compiled, most_evaluations: u64| -> (bool, Sizes) {
             let tolerance = 1e-5f64.max(request.tolerance);
             let rough = SimulationRequest { tolerance, most_evaluations, ..*request };
-            self.sizes(compiled, &rough, &vec![1e-12; dimension], &start)
+            let pass = self.pass(compiled, &rough, &looks(request.duration), &vec![1e-12; dimension], &start);
+            (pass.complete, self.sizes_of(compiled, &pass))
         };
         let most = request.most_evaluations;
         let beginning = if request.audit { most } else { most.min(ROUGH) };
@@ -233,22 +234,10 @@ impl Equations {
         }
     }
 
-    /// Sizes of all states of a rough run, and whether it came to its end.
-    fn sizes(
-        &self,
-        compiled: &mut Compiled,
-        rough: &SimulationRequest,
-        absolute: &[f64],
-        start: &[f64],
-    ) -> (bool, Sizes) {
-        let pass = self.pass(compiled, rough, &looks(rough.duration), absolute, start);
-        (pass.complete, self.sizes_of(compiled, &pass))
-    }
-
     /// Sizes of all states of a rough pass with some samples.
     pub(crate) fn sizes_of(&self, compiled: &mut Compiled, pass: &Pass) -> Sizes {
         let mut largest = pass.largest.clone();
-        self.measure_rounding(&mut largest);
+        let of_unit = self.measure_rounding(&mut largest);
         // Every state is known to its last digit and no better: what that does to the rates no step can be rid of.
         let (mut rates, mut beside) = (vec![0.0; largest.len()], vec![0.0; largest.len()]);
         let mut noise = vec![0.0f64; largest.len()];
@@ -269,13 +258,14 @@ impl Equations {
             }
         }
         let step = pass.end.0 / pass.statistics.steps.max(1) as f64;
-        noise.iter_mut().for_each(|own| *own *= step);
+        // No more than what counts as rounding at all: a rate that is very steep somewhere must not make the whole run coarse.
+        noise.iter_mut().zip(of_unit).for_each(|(own, most)| *own = (*own * step).min(ROUNDING * most));
         Sizes { largest, noise }
     }
 
     /// Gives what is nothing but rounding the size of the largest of its unit: a share of its own size would make steps follow noise.
-    /// Audited energies stand behind the states.
-    fn measure_rounding(&self, largest: &mut [f64]) {
+    /// Audited energies stand behind the states. Gives the largest of the unit of each.
+    fn measure_rounding(&self, largest: &mut [f64]) -> Vec<f64> {
         let units: Vec<Option<&str>> = (0..largest.len())
             .map(|index| self.states.get(index).map(|state| state.unit_name.as_str()))
             .collect();
@@ -286,11 +276,12 @@ impl Equations {
                 own.fold(0.0f64, |most, (_, size)| most.max(*size))
             })
             .collect();
-        for (size, most) in largest.iter_mut().zip(of_unit) {
+        for (size, most) in largest.iter_mut().zip(&of_unit) {
             if *size > 0.0 && *size < ROUNDING * most {
-                *size = most;
+                *size = *most;
             }
         }
+        of_unit
     }
 
     /// Effort of every bond at the start, by its name.
@@ -593,7 +584,7 @@ impl Equations {
     }
 }
 
-/// Places at which a rough pass measures what rounding does to the rates.
+/// The places of [`LOOKS`], equally spaced.
 pub(crate) fn looks(duration: f64) -> Vec<f64> {
     (1..=LOOKS).map(|k| duration * k as f64 / LOOKS as f64).collect()
 }
