@@ -171,7 +171,8 @@ pub struct StaticArguments {
     /// What loads it.
     #[command(flatten)]
     pub load: LoadArguments,
-    /// Solve on three meshes, of the size asked for, of 1/1.4 and of half of it: every number with the band about what the three tend to.
+    /// Solve on three meshes, of the size asked for, of 1/1.4 and of half of it: every number with the band about what the three tend to. Without
+    /// --fillet-elements they are as fine as 220 000 nodes allow.
     #[arg(long)]
     pub converge: bool,
     /// Write pictures as SVG files into this folder.
@@ -197,7 +198,8 @@ pub struct ModesArguments {
     /// How many modes, beyond those of a rigid body.
     #[arg(short = 'n', long = "number", value_name = "N", default_value_t = 10, value_parser = clap::value_parser!(u32).range(1..=500))]
     pub number: u32,
-    /// Solve on three meshes, of the size asked for, of 1/1.4 and of half of it: every frequency with the band about what the three tend to.
+    /// Solve on three meshes, of the size asked for, of 1/1.4 and of half of it: every frequency with the band about what the three tend to. Without
+    /// --fillet-elements they are as fine as 220 000 nodes allow.
     #[arg(long)]
     pub converge: bool,
     /// Write pictures as SVG files into this folder.

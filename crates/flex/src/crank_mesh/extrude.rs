@@ -1,6 +1,7 @@
 //! Triangles across the crank become wedges along it.
 
 use super::net::Net;
+use super::places::Places;
 use crate::element::ElementKind;
 use crate::mesh::{Element, Mesh};
 use lanchester_shape::Point;
@@ -28,8 +29,14 @@ impl Sweep {
     }
 
     /// Adds a layer of wedges between each two levels [m] above `from`; the first one is the last one so far. `triangles` gives those of a height,
-    /// each with the index of its material.
-    pub fn extrude(&mut self, from: f64, along: &[f64], triangles: impl Fn(f64) -> Vec<([usize; 3], u32)>) {
+    /// each with the index of its material, and `places` where their points are.
+    pub fn extrude(
+        &mut self,
+        from: f64,
+        along: &[f64],
+        places: &Places<'_>,
+        triangles: impl Fn(f64) -> Vec<([usize; 3], u32)>,
+    ) {
         if self.levels.is_empty() {
             self.levels.push(from + along[0]);
         }
@@ -50,20 +57,21 @@ impl Sweep {
                     (edges, 2 * low + 2),
                     (points, 2 * low + 1),
                 ] {
-                    nodes.extend(keys.map(|key| self.node(key, level)));
+                    nodes.extend(keys.map(|key| self.node(key, level, places)));
                 }
                 self.mesh.elements.push(Element { kind: ElementKind::Wedge, nodes, material });
             }
         }
     }
 
-    fn node(&mut self, key: [usize; 2], level: usize) -> u32 {
+    fn node(&mut self, key: [usize; 2], level: usize, places: &Places<'_>) -> u32 {
         if let Some(node) = self.nodes.get(&(key, level)) {
             return *node;
         }
         let chord = (self.points[key[0]] + self.points[key[1]]) * 0.5;
-        let at = self.middles.get(&key).copied().unwrap_or(chord);
+        let plain = self.middles.get(&key).copied().unwrap_or(chord);
         let z = (self.levels[level / 2] + self.levels[level.div_ceil(2)]) / 2.0;
+        let at = places.at(key, plain, &self.points, z);
         let node = self.mesh.nodes.len() as u32;
         self.mesh.nodes.push([at.x, at.y, z]);
         self.nodes.insert((key, level), node);

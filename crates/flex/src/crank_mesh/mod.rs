@@ -5,6 +5,7 @@
 //! * Triangles become wedges between levels along z: layers within the fillet radius at both sides of a face, growing after.
 //! * The sharp corner at a face is pulled onto the torus of the fillet, and the body with it (eq. 43.9).
 
+mod chords;
 mod circles;
 mod extrude;
 mod fillet;
@@ -12,7 +13,9 @@ mod levels;
 mod lines;
 mod net;
 mod options;
+mod places;
 mod plain;
+mod rings;
 mod segment;
 mod slugs;
 mod stack;

@@ -1,6 +1,6 @@
 //! Plane nets of triangles through given chords.
 
-use super::circles::Chords;
+use super::chords::Chords;
 use lanchester_shape::Point;
 use spade::{AngleLimit, ConstrainedDelaunayTriangulation, Point2, RefinementParameters, Triangulation};
 use std::collections::{HashMap, HashSet};
@@ -9,8 +9,11 @@ use std::collections::{HashMap, HashSet};
 const ANGLE: f64 = 26.0;
 /// Triangles lower than this are none [m].
 const FLAT: f64 = 1e-8;
-/// Two chords that meet at a larger angle [rad] are one smooth line.
+/// Two chords that meet at a larger angle [rad] are one smooth line, whatever they belong to.
 const EAR: f64 = 2.3;
+
+/// Sweeps in which points are moved between their neighbours.
+const SWEEPS: usize = 12;
 
 /// Points and triangles, anticlockwise.
 #[derive(Debug, Clone, Default)]
@@ -21,10 +24,15 @@ pub(super) struct Net {
 }
 
 /// A net through these chords, none of which is cut; triangles away from them have about the edge `size` [m]. It covers the convex hull.
+/// `is_smooth`: whether the chords from a point to two others belong to one smooth line.
 ///
 /// # Errors
 /// A point of a chord that crosses another.
-pub(super) fn net(chords: &Chords, size: f64) -> Result<Net, Point> {
+pub(super) fn net(
+    chords: &Chords,
+    size: f64,
+    is_smooth: impl Fn(usize, [usize; 2]) -> bool,
+) -> Result<Net, Point> {
     let mut net = ConstrainedDelaunayTriangulation::<Point2<f64>>::new();
     let mut handles = Vec::with_capacity(chords.points.len());
     for point in &chords.points {
@@ -64,7 +72,8 @@ pub(super) fn net(chords: &Chords, size: f64) -> Result<Net, Point> {
         .collect();
     triangles.sort_unstable();
     let mut net = Net { points, triangles };
-    net.flip_ears(chords);
+    net.flip_ears(chords, is_smooth);
+    net.relax(chords.points.len());
     // Points on one straight line of the hull leave triangles of rounding outside it.
     let is_flat = |corners: &[usize; 3]| {
         let side = |k: usize| (net.points[corners[k]] - net.points[corners[(k + 1) % 3]]).norm();
@@ -109,7 +118,7 @@ fn frame(
 impl Net {
     /// A triangle with two chords of one smooth line, which are arcs, would be folded at the corner between them: its third edge is
     /// turned to that corner.
-    fn flip_ears(&mut self, chords: &Chords) {
+    fn flip_ears(&mut self, chords: &Chords, is_smooth: impl Fn(usize, [usize; 2]) -> bool) {
         let lines: HashSet<[usize; 2]> = chords.chords.iter().map(|([a, b], _)| key(*a, *b)).collect();
         let mut beside: HashMap<[usize; 2], Vec<usize>> = HashMap::new();
         for (index, triangle) in self.triangles.iter().enumerate() {
@@ -123,7 +132,7 @@ impl Net {
                 let [v, a, b] = [triangle[k], triangle[(k + 1) % 3], triangle[(k + 2) % 3]];
                 let is_ear =
                     lines.contains(&key(v, a)) && lines.contains(&key(v, b)) && !lines.contains(&key(a, b));
-                if !is_ear || self.angle(v, a, b) < EAR {
+                if !is_ear || self.angle(v, a, b) < EAR && !is_smooth(v, [a, b]) {
                     continue;
                 }
                 let others = beside.get(&key(a, b)).cloned().unwrap_or_default();
@@ -150,6 +159,55 @@ impl Net {
                 break;
             }
         }
+    }
+
+    /// Moves points after the first ones towards the middle of their neighbours where that mends the worst triangle around.
+    fn relax(&mut self, first: usize) {
+        let mut around: Vec<Vec<usize>> = vec![Vec::new(); self.points.len()];
+        let mut count: HashMap<[usize; 2], usize> = HashMap::new();
+        for (index, triangle) in self.triangles.iter().enumerate() {
+            for k in 0..3 {
+                around[triangle[k]].push(index);
+                *count.entry(key(triangle[k], triangle[(k + 1) % 3])).or_default() += 1;
+            }
+        }
+        let mut is_fixed = vec![false; self.points.len()];
+        is_fixed[..first].fill(true);
+        for end in count.iter().filter(|(_, count)| **count == 1).flat_map(|(edge, _)| edge) {
+            is_fixed[*end] = true;
+        }
+        for _ in 0..SWEEPS {
+            for point in first..self.points.len() {
+                if is_fixed[point] || around[point].is_empty() {
+                    continue;
+                }
+                let here = self.points[point];
+                // Each neighbour belongs to two of the triangles.
+                let corners = around[point].iter().flat_map(|triangle| self.triangles[*triangle]);
+                let others = corners.filter(|other| *other != point).map(|other| self.points[other]);
+                let middle =
+                    others.fold(Point::ORIGIN, |sum, at| sum + at) * (0.5 / around[point].len() as f64);
+                let mut best = (self.worst(&around[point]), here);
+                for part in [1.0, 0.5, 0.25] {
+                    self.points[point] = here + (middle - here) * part;
+                    let shape = self.worst(&around[point]);
+                    if shape > best.0 {
+                        best = (shape, self.points[point]);
+                    }
+                }
+                self.points[point] = best.1;
+            }
+        }
+    }
+
+    /// Shape of the worst of some triangles: `4 sqrt(3) A/(a^2 + b^2 + c^2)`, 1 of an equilateral one.
+    fn worst(&self, triangles: &[usize]) -> f64 {
+        let shape = |triangle: &usize| {
+            let [a, b, c] = self.triangles[*triangle].map(|corner| self.points[corner]);
+            let squares = [b - a, c - b, a - c].iter().map(|side| side.dot(*side)).sum::<f64>();
+            2.0 * 3f64.sqrt() * (b - a).cross(c - a) / squares
+        };
+        triangles.iter().map(shape).fold(f64::INFINITY, f64::min)
     }
 
     fn angle(&self, at: usize, a: usize, b: usize) -> f64 {

@@ -1,6 +1,5 @@
 //! A crankshaft along z: bars, which are journals and pins, and stacks of webs between them.
 
-use super::circles::Rings;
 use super::options::CrankMeshOptions;
 use crate::FlexError;
 use lanchester_model::{CrankElement, CrankElementForm};
@@ -103,8 +102,15 @@ pub(super) fn check_fillets(bars: &[Bar], segments: &[Segment]) -> Result<(), Fl
             );
             return Err(refuse(&bar.name, message, "smaller fillets, or a longer bar"));
         }
-        if bar.fillets.iter().any(|fillet| *fillet > 0.9 * (bar.radius - bar.bore)) {
-            return Err(refuse(&bar.name, "its fillet is larger than its wall", "a smaller fillet"));
+        let (fillet, wall) = (bar.fillets[0].max(bar.fillets[1]), bar.radius - bar.bore);
+        if fillet > 0.9 * wall {
+            let message = format!(
+                "its fillet of {:.2} mm is more than 0.9 of its wall of {:.2} mm, by {:.2} mm",
+                1e3 * fillet,
+                1e3 * wall,
+                1e3 * (fillet - 0.9 * wall)
+            );
+            return Err(refuse(&bar.name, message, "a smaller fillet, a larger diameter or a smaller bore"));
         }
     }
     for segment in segments {
@@ -112,46 +118,15 @@ pub(super) fn check_fillets(bars: &[Bar], segments: &[Segment]) -> Result<(), Fl
         let radius = |end: usize| stack.bars[end].map_or(0.0, |bar| bars[bar].fillets[1 - end]);
         let thickness = stack.faces[1] - stack.faces[0];
         if radius(0) + radius(1) > 0.9 * thickness {
-            let message = format!("its {:.2} mm are too thin for the fillets at its faces", 1e3 * thickness);
+            let message = format!(
+                "the fillets of {:.2} and {:.2} mm at its faces take more than 0.9 of its thickness of {:.2} mm, by {:.2} mm",
+                1e3 * radius(0),
+                1e3 * radius(1),
+                1e3 * thickness,
+                1e3 * (radius(0) + radius(1) - 0.9 * thickness)
+            );
             return Err(refuse(&stack.name, message, "smaller fillets, or a thicker web"));
         }
     }
     Ok(())
-}
-
-/// Circles about each centre once.
-pub(super) fn rings(bars: &[Bar], layers: usize, size: f64) -> Vec<Rings> {
-    let mut rings: Vec<Rings> = Vec::new();
-    for bar in bars {
-        let mut add = |radii: Vec<f64>, chord: f64, is_bore: bool| {
-            let own =
-                |rings: &&mut Rings| rings.is_bore == is_bore && (rings.centre - bar.centre).norm() < TINY;
-            match rings.iter_mut().find(own) {
-                Some(rings) => {
-                    rings.chord = rings.chord.min(chord);
-                    for radius in &radii {
-                        if rings.radii.iter().all(|own| (own - radius).abs() > TINY) {
-                            rings.radii.push(*radius);
-                        }
-                    }
-                    rings.radii.sort_by(f64::total_cmp);
-                }
-                None => rings.push(Rings { centre: bar.centre, radii, chord, is_bore }),
-            }
-        };
-        let mut fillets: Vec<f64> = bar.fillets.into_iter().filter(|fillet| *fillet > 0.0).collect();
-        fillets.sort_by(f64::total_cmp);
-        let mut radii = vec![bar.radius];
-        if let Some(fillet) = fillets.first() {
-            radii.extend((1..=layers).map(|k| bar.radius + fillet * k as f64 / layers as f64));
-        }
-        let chord = fillets.first().map_or(size, |fillet| (1.6 * fillet).min(size));
-        radii.extend(fillets.iter().skip(1).map(|fillet| bar.radius + fillet));
-        radii.dedup_by(|a, b| (*a - *b).abs() < TINY);
-        add(radii, chord, false);
-        if bar.bore > 0.0 {
-            add(vec![bar.bore], size, true);
-        }
-    }
-    rings
 }

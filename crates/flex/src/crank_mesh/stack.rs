@@ -1,6 +1,7 @@
 //! The plane net of a stack of webs: discs of its two bars from the core, around them what its outlines add.
 
-use super::circles::{Chords, Polygon, outline_chords};
+use super::chords::{Chords, Polygon, outline_chords};
+use super::circles::Arrangement;
 use super::extrude::Sweep;
 use super::lines::split;
 use super::net::{Net, net};
@@ -10,6 +11,7 @@ use super::slugs::Slug;
 use crate::FlexError;
 use lanchester_geometry::crankshaft::CrankshaftBody;
 use lanchester_shape::{Contour, Edge, Outline, Point};
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Room that an outline leaves around the fillet of a bar [m].
 const ROOM: f64 = 0.2e-3;
@@ -25,7 +27,7 @@ pub(super) struct Solid {
 pub(super) struct Core<'a> {
     pub bars: &'a [Bar],
     pub net: &'a Net,
-    pub chords: &'a Chords,
+    pub circles: &'a Arrangement,
     pub slugs: &'a [Slug],
     pub options: CrankMeshOptions,
 }
@@ -33,7 +35,11 @@ pub(super) struct Core<'a> {
 /// Triangles of a stack, and the prisms that fill them.
 pub(super) struct StackNet {
     /// Discs of the bars first.
-    triangles: Vec<([usize; 3], Point)>,
+    pub triangles: Vec<([usize; 3], Point)>,
+    /// Points of outlines, inserts and holes.
+    pub outlines: BTreeSet<usize>,
+    /// Bars whose bores go through.
+    pub bores: BTreeSet<usize>,
     /// How many belong to the discs.
     discs: usize,
     solids: Vec<(Polygon, [f64; 2])>,
@@ -134,30 +140,40 @@ pub(super) fn stack_net(
         check_room(stack, solid, &discs)?;
     }
     let polygons: Vec<Polygon> =
-        discs.iter().map(|(centre, radius)| core.chords.circle(*centre, *radius)).collect();
+        discs.iter().map(|(centre, radius)| core.circles.circle(*centre, *radius)).collect();
     let is_core = |at: Point| polygons.iter().any(|polygon| polygon.contains(at));
-    let boundary = |middle: Point| {
-        let place = |(centre, radius): &(Point, f64)| (middle - *centre).norm() - radius;
-        discs.iter().any(|disc| place(disc).abs() < TINY) && discs.iter().all(|disc| place(disc) > -TINY)
-    };
+    let mut all = sweep.pick(core.net, is_core);
+    let discs = all.len();
+    // Edges of one triangle are the boundary of the discs.
+    let mut edges: BTreeMap<[usize; 2], usize> = BTreeMap::new();
+    for triangle in &all {
+        for k in 0..3 {
+            let (a, b) = (triangle[k], triangle[(k + 1) % 3]);
+            *edges.entry([a.min(b), a.max(b)]).or_default() += 1;
+        }
+    }
     let mut outer = Chords::default();
     let mut names: Vec<usize> = Vec::new();
-    for ([a, b], middle) in core.chords.chords.iter().filter(|(_, middle)| boundary(*middle)) {
-        let ends = [*a, *b].map(|point| {
+    for (edge, _) in edges.into_iter().filter(|(_, count)| *count == 1) {
+        let ends = edge.map(|point| {
             names.iter().position(|name| *name == point).unwrap_or_else(|| {
                 names.push(point);
-                outer.points.push(core.chords.points[point]);
+                outer.points.push(core.net.points[point]);
                 names.len() - 1
             })
         });
-        outer.chords.push((ends, *middle));
+        let middle = sweep.middles.get(&edge).copied();
+        outer.chords.push((ends, middle.unwrap_or((outer.points[ends[0]] + outer.points[ends[1]]) * 0.5)));
     }
     // Edges of all outlines, cut where those of others begin, so that what runs along each other has the same chords.
     let bore = |hole: &Contour| {
-        let own = stack.bars.iter().flatten().map(|bar| &bars[*bar]);
-        own.into_iter()
-            .find(|bar| bar.bore > 0.0 && hole.contains(bar.centre) && is_circle(hole, bar.centre, bar.bore))
+        stack.bars.into_iter().flatten().find(|bar| {
+            let bar = &bars[*bar];
+            bar.bore > 0.0 && hole.contains(bar.centre) && is_circle(hole, bar.centre, bar.bore)
+        })
     };
+    let holes = solids.iter().flat_map(|solid| solid.outline.holes());
+    let bores = holes.filter_map(bore).collect();
     let slugs: Vec<&Slug> = core
         .slugs
         .iter()
@@ -199,8 +215,8 @@ pub(super) fn stack_net(
     let filled = (0..solids.len()).map(|k| {
         let mut polygon = polygon(k);
         for hole in solids[k].outline.holes() {
-            if let Some(bar) = bore(hole) {
-                polygon.0.extend(core.chords.circle(bar.centre, bar.bore).0);
+            if let Some(bar) = bore(hole).map(|bar| &bars[bar]) {
+                polygon.0.extend(core.circles.circle(bar.centre, bar.bore).0);
             }
         }
         (polygon, solids[k].faces)
@@ -211,7 +227,11 @@ pub(super) fn stack_net(
         .enumerate()
         .map(|(k, slug)| (polygon(solids.len() + k), slug.faces, slug.material))
         .collect();
-    let outside = net(&outer, options.size).map_err(|at| {
+    let is_smooth = |at: usize, to: [usize; 2]| {
+        let [at, a, b] = [at, to[0], to[1]].map(|point| names.get(point).copied());
+        at.zip(a).zip(b).is_some_and(|((at, a), b)| core.circles.is_smooth(at, [a, b]))
+    };
+    let outside = net(&outer, options.size, is_smooth).map_err(|at| {
         let message = format!("outlines of its slabs cross at ({:.2}, {:.2}) mm", 1e3 * at.x, 1e3 * at.y);
         refuse(
             &stack.name,
@@ -227,8 +247,7 @@ pub(super) fn stack_net(
         let (a, b) = (number(*a), number(*b));
         sweep.middles.insert([a.min(b), a.max(b)], *middle);
     }
-    let mut all = sweep.pick(core.net, is_core);
-    let discs = all.len();
+    let outlines = (names.len()..outer.points.len()).map(number).collect();
     all.extend(
         outside
             .triangles
@@ -237,7 +256,7 @@ pub(super) fn stack_net(
             .filter(|triangle| !is_core(sweep.centre(triangle))),
     );
     let triangles = all.into_iter().map(|triangle| (triangle, sweep.centre(&triangle))).collect();
-    Ok(StackNet { triangles, discs, solids: filled, slugs })
+    Ok(StackNet { triangles, outlines, bores, discs, solids: filled, slugs })
 }
 
 fn is_circle(contour: &Contour, centre: Point, radius: f64) -> bool {

@@ -1,13 +1,16 @@
 //! From the elements of a crankshaft to its mesh.
 
-use super::circles::{Chords, chords};
+use super::chords::Chords;
+use super::circles::arrangement;
 use super::extrude::Sweep;
 use super::fillet::{Side, Torus};
 use super::levels::{levels, with_planes};
 use super::net::net;
 use super::options::{CrankMeshOptions, check_options};
+use super::places::{Beside, Places};
 use super::plain::plain_body;
-use super::segment::{Bar, Segment, Stack, TINY, check_fillets, refuse, rings, segments};
+use super::rings::rings;
+use super::segment::{Bar, Segment, Stack, TINY, check_fillets, refuse, segments};
 use super::slugs::slugs;
 use super::stack::{Core, StackNet, reaches_over, solids, stack_net};
 use crate::mesh::{Mesh, MeshQuality, NodeSet, quality};
@@ -93,17 +96,18 @@ pub fn crank_mesh(engine: &Engine, index: usize, options: CrankMeshOptions) -> R
     check_fillets(&bars, &segments)?;
     let layers = options.fillet_elements / 2;
     let rings = rings(&bars, layers, options.size);
-    let core_chords = chords(&rings);
-    let core_net = net(&core_chords, options.size).map_err(|at| {
-        let place = format!("({:.2}, {:.2}) mm across the crank", 1e3 * at.x, 1e3 * at.y);
+    let clash = |at: Point| {
         near_circles(&bars, at).unwrap_or_else(|| {
+            let place = format!("({:.2}, {:.2}) mm across the crank", 1e3 * at.x, 1e3 * at.y);
             refuse(
                 &place,
                 "circles of journals, pins and fillets nearly touch",
                 "change a fillet radius slightly",
             )
         })
-    })?;
+    };
+    let circles = arrangement(&rings).map_err(clash)?;
+    let core_net = net(&circles.chords, options.size, |at, to| circles.is_smooth(at, to)).map_err(clash)?;
     let mut materials = vec![material(engine, &body, &elements)?];
     let slugs = slugs(&body, &mut materials)?;
     if materials.len() > 1 {
@@ -113,13 +117,13 @@ pub fn crank_mesh(engine: &Engine, index: usize, options: CrankMeshOptions) -> R
         );
     }
     let mut sweep = Sweep {
-        middles: middles(&core_chords),
+        middles: middles(&circles.chords),
         points: core_net.points.clone(),
         nodes: HashMap::new(),
         mesh: Mesh { materials, ..Mesh::default() },
         levels: Vec::new(),
     };
-    let core = Core { bars: &bars, net: &core_net, chords: &core_chords, slugs: &slugs, options };
+    let core = Core { bars: &bars, net: &core_net, circles: &circles, slugs: &slugs, options };
     let mut nets: Vec<Option<StackNet>> = Vec::with_capacity(segments.len());
     let mut known: Vec<String> = Vec::new();
     for segment in &segments {
@@ -132,13 +136,14 @@ pub fn crank_mesh(engine: &Engine, index: usize, options: CrankMeshOptions) -> R
             }
         });
     }
+    let beside = beside(&bars, &segments, &nets);
+    let places = Places::new(&bars, layers, &circles, &sweep.points, &beside)?;
     for (place, segment) in segments.iter().enumerate() {
         match segment {
             Segment::Bar(bar) => {
                 let bar = &bars[*bar];
                 check_beside(&body, bar, &known)?;
-                let [outer, bore] =
-                    [bar.radius, bar.bore].map(|radius| core_chords.circle(bar.centre, radius));
+                let [outer, bore] = [bar.radius, bar.bore].map(|radius| circles.circle(bar.centre, radius));
                 let own = |at: Point| outer.contains(at) && !bore.contains(at);
                 let disc: Vec<([usize; 3], u32)> =
                     sweep.pick(&core_net, own).into_iter().map(|triangle| (triangle, 0)).collect();
@@ -153,7 +158,7 @@ pub fn crank_mesh(engine: &Engine, index: usize, options: CrankMeshOptions) -> R
                     planes.collect(),
                     bar.fillets,
                 );
-                sweep.extrude(bar.faces[0], &along, |z| {
+                sweep.extrude(bar.faces[0], &along, &places, |z| {
                     let more = beside.iter().flat_map(|net| net.filled(z, true));
                     disc.iter().copied().chain(more).collect()
                 });
@@ -165,7 +170,7 @@ pub fn crank_mesh(engine: &Engine, index: usize, options: CrankMeshOptions) -> R
                 let planes = net.planes().map(|plane| plane - stack.faces[0]).collect();
                 let thickness = stack.faces[1] - stack.faces[0];
                 let along = with_planes(levels(thickness, radii, layers, options.size), planes, radii);
-                sweep.extrude(stack.faces[0], &along, |z| net.filled(z, false));
+                sweep.extrude(stack.faces[0], &along, &places, |z| net.filled(z, false));
             }
         }
     }
@@ -188,13 +193,28 @@ pub fn crank_mesh(engine: &Engine, index: usize, options: CrankMeshOptions) -> R
     Ok(CrankMesh { mesh, quality, corners, webs, body_mass: body.mass.mass, left_out })
 }
 
+/// What is beside the front and the rear face of each bar.
+fn beside<'a>(bars: &[Bar], segments: &[Segment], nets: &'a [Option<StackNet>]) -> Vec<Option<Beside<'a>>> {
+    let mut found: Vec<Option<Beside<'_>>> = vec![None; 2 * bars.len()];
+    for (segment, net) in segments.iter().zip(nets) {
+        let (Segment::Stack(stack), Some(net)) = (segment, net) else { continue };
+        for (end, bar) in stack.bars.iter().enumerate() {
+            if let Some(bar) = bar {
+                let own = Beside { triangles: &net.triangles, fixed: &net.outlines, bores: &net.bores };
+                found[2 * bar + 1 - end] = Some(own);
+            }
+        }
+    }
+    found
+}
+
 /// Says which circles nearly touch where an element is inverted.
 fn because(error: FlexError, bars: &[Bar]) -> FlexError {
     let FlexError::Inverted { at, .. } = &error else { return error };
     near_circles(bars, Point::new(at[0], at[1])).unwrap_or(error)
 }
 
-/// Circles of two bars, fillets included, that nearly touch in projection near a point: no triangles with good angles fit between them.
+/// Circles of two bars, fillets included, that nearly touch in projection near a point.
 fn near_circles(bars: &[Bar], at: Point) -> Option<FlexError> {
     let circles = |bar: &Bar| {
         let name = bar.name.clone();
@@ -219,14 +239,20 @@ fn near_circles(bars: &[Bar], at: Point) -> Option<FlexError> {
                             .iter()
                             .map(|(centre, radius)| ((at - *centre).norm() - radius).abs())
                             .fold(0.0, f64::max);
-                        let is_near = gap.abs() < 0.06 * a.min(b) && near < 0.5 * a.min(b);
+                        let most = 0.06 * a.min(b);
+                        let is_near = gap.abs() < most && near < 0.5 * a.min(b);
                         if is_near && best.as_ref().is_none_or(|(least, _)| gap.abs() < *least) {
                             let message = format!(
-                                "the circles of {first} and {second} nearly touch, seen along the crank: they {} by {:.2} mm, and no elements of good shape fit between them",
+                                "the circles of {first} ({:.2} mm diameter) and {second} ({:.2} mm), {:.2} mm apart at their middles, nearly touch, seen along the crank: they {} by {:.2} mm, \
+                                 and no elements of good shape were found between them; {:.2} mm more of it make room",
+                                2e3 * a,
+                                2e3 * b,
+                                1e3 * apart,
                                 if gap > 0.0 { "miss each other" } else { "overlap" },
-                                1e3 * gap.abs()
+                                1e3 * gap.abs(),
+                                1e3 * (most - gap.abs())
                             );
-                            let hint = "change a diameter, a fillet or the crank radius so that they overlap, or miss each other, by some millimetres";
+                            let hint = "change a diameter, a fillet or the crank radius by that much, or the number of elements across a fillet";
                             best = Some((
                                 gap.abs(),
                                 refuse(&format!("{} and {}", two.name, one.name), message, hint),

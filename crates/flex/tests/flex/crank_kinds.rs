@@ -79,18 +79,6 @@ fn radial(journal: &str) -> String {
         .replace("36 mm", "48 mm")
 }
 
-/// Journals of 76 mm and pins of 64 mm on a crank radius of 70 mm touch in projection: no net has good angles there.
-#[test]
-fn pin_that_touches_the_journal_in_projection_is_refused() {
-    let engine = with_body("radial-7", &radial("76 mm"), &[]);
-    let error = crank_mesh(&engine, 0, COARSE).unwrap_err();
-    let words = error.to_string();
-    assert!(matches!(error, FlexError::Mesh { .. }), "{words}");
-    for wanted in ["journal 1 and pin 1", "nearly touch", "by 0.00 mm", "hint: change a diameter"] {
-        assert!(words.contains(wanted), "{wanted} in {words}");
-    }
-}
-
 /// Template, body of its crankshaft, keys that change.
 type Case<'a> = (&'a str, &'a str, &'a [(&'a str, &'a str)]);
 
@@ -104,7 +92,9 @@ fn prop_meshes_of_all_layouts_have_the_mass_of_the_exact_body() {
     // Split pins and boxers: one web between the two pins of a pair, as far from the middle of each as the throws are apart.
     let thin = CAR.replace("16 mm", "10 mm");
     let one_web: &[(&str, &str)] = &[("bank_stagger", "40 mm"), ("web_distance", "40 mm")];
-    let cases: [Case; 13] = [
+    // Journals of 76 mm and pins of 64 mm on a crank radius of 70 mm touch in projection.
+    let touching = radial("76 mm");
+    let cases: [Case; 14] = [
         ("single", CAR, &[]),
         ("in-line-4", &webs, &[]),
         ("in-line-5", CAR, &[]),
@@ -117,6 +107,7 @@ fn prop_meshes_of_all_layouts_have_the_mass_of_the_exact_body() {
         ("boxer-6", CAR, one_web),
         ("vr6-15", CAR, &[]),
         ("radial-7", &large, &[]),
+        ("radial-7", &touching, &[]),
         ("radial-14", &large, &[]),
     ];
     let mut faults = Vec::new();

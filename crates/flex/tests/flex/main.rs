@@ -5,6 +5,7 @@
 mod calculix;
 mod calculix_crank;
 mod crank;
+mod crank_circles;
 mod crank_kinds;
 mod crank_parts;
 mod elements;

@@ -2489,7 +2489,7 @@ class Convergence(Record):
     """A convergence study."""
 
     __slots__ = ()
-    _FIELDS = ("meshes", "numbers",)
+    _FIELDS = ("meshes", "numbers", "note",)
 
     @property
     def meshes(self) -> Records[ConvergenceMesh]:
@@ -2500,6 +2500,11 @@ class Convergence(Record):
     def numbers(self) -> Records[ConvergedNumber]:
         """The numbers."""
         return self._all("numbers", ConvergedNumber)
+
+    @property
+    def note(self) -> str | None:
+        """Why the meshes are as fine as they are, where nobody says it."""
+        return self._get("note")  # type: ignore[no-any-return]
 
 
 class ConvergenceMesh(Record):

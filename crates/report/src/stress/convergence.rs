@@ -38,6 +38,8 @@ pub struct Convergence {
     pub meshes: [ConvergenceMesh; 3],
     /// The numbers.
     pub numbers: Vec<ConvergedNumber>,
+    /// Why the meshes are as fine as they are, where nobody says it.
+    pub note: Option<String>,
 }
 
 impl Convergence {
@@ -70,8 +72,9 @@ impl Convergence {
         });
         let note = format!(
             "Elements of {}. Value: Richardson's extrapolation to elements of size zero by the order that the three meshes show, from 0.5 to 6; band: 1.25 times \
-             its distance from the fine mesh. Where they show no order: the value of the fine mesh, band three times the largest difference.",
-            meshes.collect::<Vec<_>>().join("; of ")
+             its distance from the fine mesh. Where they show no order: the value of the fine mesh, band three times the largest difference.{}",
+            meshes.collect::<Vec<_>>().join("; of "),
+            self.note.as_ref().map_or(String::new(), |note| format!(" {note}"))
         );
         Table::of_columns(
             "stress-convergence",
@@ -106,7 +109,7 @@ mod tests {
             // An error of second order.
             found: richardson(sizes, sizes.map(|size| 2.0 - 1e4 * size * size)),
         };
-        let found = Convergence { meshes: sizes.map(mesh), numbers: vec![number] };
+        let found = Convergence { meshes: sizes.map(mesh), numbers: vec![number], note: None };
         let text = found.table().text();
         for words in ["Convergence", "case 1: energy", "1.19", "1.64", "1.84", "2.0", "2.000 ± 0.20 (10.0 %)"]
         {
