@@ -66,7 +66,7 @@ impl Study {
             let counts = [count - 4, count - 2, count];
             let note = format!(
                 "These meshes have {}, {} and {} elements across the fillets; the finest mesh has {nodes} nodes. These are the most that an \
-                 ordinary computer solves in minutes ({MOST_NODES} nodes, no more than {most} elements); --fillet-elements asks for others.",
+                 ordinary computer solves in minutes ({MOST_NODES} nodes, no more than {most} elements); other numbers can be asked for.",
                 counts[0], counts[1], counts[2]
             );
             return Ok(Study { meshes: of_counts(mesh, coarse, counts), note: Some(note) });
@@ -76,7 +76,7 @@ impl Study {
         let note = format!(
             "All three meshes have {count} elements across the fillets, since 2, 4 and 6 would take more than {MOST_NODES} \
              nodes, which an ordinary computer solves in minutes: what they say of displacement, energy and frequencies holds, and stresses of fillets \
-             are coarse and have no band; --fillet-elements 2 asks for 2, 4 and 6."
+             are coarse and have no band; 2, 4 and 6 can be asked for."
         );
         let meshes = of_counts(mesh, coarse, [count; 3]).map(|mut own| {
             if count < first {
