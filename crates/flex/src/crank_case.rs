@@ -8,10 +8,10 @@ use crate::FlexError;
 use crate::case::{Spring, StaticCase};
 use crate::contact::ContactReport;
 use crate::crank_mesh::CrankMesh;
-use crate::mesh::{NodeSet, SignedArea, SurfaceFace, signed_areas, surface, surface_areas};
+use crate::mesh::{Mesh, NodeSet, SignedArea, SurfaceFace, signed_areas, surface, surface_areas};
 use crate::statics::{NodeStress, StaticSolution, node_stresses};
 use serde::Serialize;
-use std::collections::{BTreeMap, HashSet};
+use std::collections::{BTreeMap, BTreeSet, HashSet};
 
 /// What holds a crankshaft.
 #[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
@@ -72,7 +72,8 @@ pub struct PeakStress {
     pub von_mises: f64,
     /// Principal stress of the largest size there [Pa], tension positive.
     pub principal: f64,
-    /// Jump of the stress between the elements there over the stress: a sign of the error.
+    /// Largest jump of the stress between elements over the stress, at the nodes of the same surface of all elements that meet there: a sign of
+    /// the error.
     pub jump: f64,
     /// Place [m].
     pub at: [f64; 3],
@@ -363,6 +364,46 @@ pub fn crank_cases(
     loads.iter().map(case).collect()
 }
 
+/// The largest stress of each surface: its name, its nodes and the middle of its bar.
+fn surface_peaks(
+    mesh: &Mesh,
+    stresses: &[NodeStress],
+    surfaces: &[(&str, &[u32], [f64; 2])],
+) -> Vec<SurfacePeak> {
+    let value = |node: &u32| stresses[*node as usize].stress.von_mises();
+    let largest = |nodes: &[u32]| nodes.iter().copied().max_by(|a, b| value(a).total_cmp(&value(b)));
+    let nodes: Vec<Option<u32>> = surfaces.iter().map(|(_, nodes, _)| largest(nodes)).collect();
+    // Nodes of the elements that meet at each largest one.
+    let mut around: BTreeMap<u32, BTreeSet<u32>> =
+        nodes.iter().flatten().map(|node| (*node, BTreeSet::new())).collect();
+    let mut is_largest = vec![false; mesh.nodes.len()];
+    around.keys().for_each(|node| is_largest[*node as usize] = true);
+    for element in &mesh.elements {
+        for node in element.nodes.iter().filter(|node| is_largest[**node as usize]) {
+            around.entry(*node).or_default().extend(&element.nodes);
+        }
+    }
+    let peak = |node: u32, own: &[u32], centre: [f64; 2]| {
+        let near = &around[&node];
+        let jumps = own.iter().filter(|node| near.contains(node)).map(|node| stresses[*node as usize].jump);
+        let (at, von_mises) = (mesh.nodes[node as usize], value(&node));
+        PeakStress {
+            von_mises,
+            principal: stresses[node as usize].stress.dominant(),
+            jump: jumps.fold(0.0, f64::max) / von_mises.max(f64::MIN_POSITIVE),
+            at,
+            angle: (at[1] - centre[1]).atan2(at[0] - centre[0]),
+        }
+    };
+    let found = surfaces.iter().zip(nodes);
+    found
+        .map(|((name, own, centre), node)| SurfacePeak {
+            name: (*name).to_owned(),
+            stress: node.map(|node| peak(node, own, *centre)),
+        })
+        .collect()
+}
+
 /// Largest displacement and peaks of a solution.
 pub fn evaluate(crank: &CrankMesh, solution: StaticSolution) -> CrankCase {
     let mesh = &crank.mesh;
@@ -374,40 +415,28 @@ pub fn evaluate(crank: &CrankMesh, solution: StaticSolution) -> CrankCase {
             largest = (node, length(u));
         }
     }
-    let peak = |nodes: &[u32], centre: [f64; 2]| {
-        let value = |node: &u32| stresses[*node as usize].stress.von_mises();
-        let node = nodes.iter().copied().max_by(|a, b| value(a).total_cmp(&value(b)))?;
-        let (at, own, von_mises) = (mesh.nodes[node as usize], stresses[node as usize], value(&node));
-        Some(PeakStress {
-            von_mises,
-            principal: own.stress.dominant(),
-            jump: own.jump / von_mises.max(f64::MIN_POSITIVE),
-            at,
-            angle: (at[1] - centre[1]).atan2(at[0] - centre[0]),
-        })
-    };
-    let peaks = crank.corners.iter().map(|corner| SurfacePeak {
-        name: corner.name.clone(),
-        stress: peak(&corner.nodes, [corner.centre.x, corner.centre.y]),
-    });
+    let mut surfaces: Vec<(&str, &[u32], [f64; 2])> = Vec::new();
+    let corners = crank.corners.iter();
+    surfaces.extend(corners.map(|own| (own.name.as_str(), &own.nodes[..], [own.centre.x, own.centre.y])));
     let is_bearing = |name: &str| name.starts_with("PIN_") || name.starts_with("MAIN_");
-    let surfaces = mesh.sets.iter().filter(|set| is_bearing(&set.name)).map(|set| {
+    surfaces.extend(mesh.sets.iter().filter(|set| is_bearing(&set.name)).map(|set| {
         let mean = |k: usize| {
             let sum: f64 = set.nodes.iter().map(|node| mesh.nodes[*node as usize][k]).sum();
             sum / set.nodes.len().max(1) as f64
         };
-        SurfacePeak { name: set.name.clone(), stress: peak(&set.nodes, [mean(0), mean(1)]) }
-    });
-    let webs = crank
-        .webs
-        .iter()
-        .map(|web| SurfacePeak { name: web.name.clone(), stress: peak(&web.nodes, [0.0; 2]) });
+        (set.name.as_str(), &set.nodes[..], [mean(0), mean(1)])
+    }));
+    let bearings = surfaces.len();
+    surfaces.extend(crank.webs.iter().map(|web| (web.name.as_str(), &web.nodes[..], [0.0; 2])));
+    let mut peaks = surface_peaks(mesh, &stresses, &surfaces);
+    let webs = peaks.split_off(bearings);
+    let surfaces = peaks.split_off(crank.corners.len());
     CrankCase {
         largest_displacement: largest.1,
         displaced_at: mesh.nodes[largest.0],
-        peaks: peaks.collect(),
-        surfaces: surfaces.collect(),
-        webs: webs.collect(),
+        peaks,
+        surfaces,
+        webs,
         contact: None,
         solution,
         stresses,

@@ -47,6 +47,17 @@ pub enum FlexError {
         /// Least that is accepted.
         needed: f64,
     },
+    /// A crankshaft of which no mesh of good shape was found with these elements across its fillets; with others there can be one.
+    #[error(
+        "no mesh of good shape was found at ({:.2}, {:.2}) mm, seen along the crank: {message}\nhint: another number of elements across the fillets, or another diameter, fillet or crank radius there",
+        1e3 * .at[0], 1e3 * .at[1]
+    )]
+    Crowded {
+        /// Where it is, across the crank [m].
+        at: [f64; 2],
+        /// What was found there.
+        message: String,
+    },
     /// A body that can still move as a whole, or in parts.
     #[error(
         "the supports leave a motion free: {motion}\nhint: add a support that holds it, or ask for inertia relief"

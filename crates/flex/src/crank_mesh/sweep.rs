@@ -84,8 +84,8 @@ pub struct CrankMesh {
 ///
 /// # Errors
 /// [`FlexError::Crankshaft`] where the file does not say enough; [`FlexError::Mesh`] where fillets do not fit or the shape is not covered
-/// (counterweights of another density, and those that reach over a journal or pin along the crank and touch it); [`FlexError::Inverted`] for a
-/// mesh below [`LEAST_JACOBIAN`].
+/// (counterweights of another density, and those that reach over a journal or pin along the crank and touch it); [`FlexError::Crowded`] for a
+/// mesh below [`LEAST_JACOBIAN`], for which another number of elements across the fillets is worth a try.
 pub fn crank_mesh(engine: &Engine, index: usize, options: CrankMeshOptions) -> Result<CrankMesh, FlexError> {
     check_options(options)?;
     let (body, mut left_out) = plain_body(engine, index)?;
@@ -96,16 +96,7 @@ pub fn crank_mesh(engine: &Engine, index: usize, options: CrankMeshOptions) -> R
     check_fillets(&bars, &segments)?;
     let layers = options.fillet_elements / 2;
     let rings = rings(&bars, layers, options.size);
-    let clash = |at: Point| {
-        near_circles(&bars, at).unwrap_or_else(|| {
-            let place = format!("({:.2}, {:.2}) mm across the crank", 1e3 * at.x, 1e3 * at.y);
-            refuse(
-                &place,
-                "circles of journals, pins and fillets nearly touch",
-                "change a fillet radius slightly",
-            )
-        })
-    };
+    let clash = |at: Point| crowded(&bars, at, "lines of its net cross".to_owned());
     let circles = arrangement(&rings).map_err(clash)?;
     let core_net = net(&circles.chords, options.size, |at, to| circles.is_smooth(at, to)).map_err(clash)?;
     let mut materials = vec![material(engine, &body, &elements)?];
@@ -177,19 +168,16 @@ pub fn crank_mesh(engine: &Engine, index: usize, options: CrankMeshOptions) -> R
     let mut mesh = std::mem::take(&mut sweep.mesh);
     let webs = webs(&mesh, &bars, &segments);
     let corners = finish(&mut mesh, &bars, &segments);
-    let quality = match quality(&mesh) {
-        Ok(quality) if quality.least_jacobian >= LEAST_JACOBIAN => quality,
-        Ok(quality) => {
-            return Err(FlexError::Inverted {
-                element: quality.worst_element,
-                at: quality.worst_place,
-                jacobian: quality.least_jacobian,
-                needed: LEAST_JACOBIAN,
-            })
-            .map_err(|error| because(error, &bars));
+    let quality = quality(&mesh).map_err(|error| match error {
+        FlexError::Inverted { element, at, jacobian, needed } => {
+            misshapen(&bars, element, at, jacobian, needed)
         }
-        Err(error) => return Err(because(error, &bars)),
-    };
+        other => other,
+    })?;
+    if quality.least_jacobian < LEAST_JACOBIAN {
+        let (element, at) = (quality.worst_element, quality.worst_place);
+        return Err(misshapen(&bars, element, at, quality.least_jacobian, LEAST_JACOBIAN));
+    }
     Ok(CrankMesh { mesh, quality, corners, webs, body_mass: body.mass.mass, left_out })
 }
 
@@ -208,14 +196,23 @@ fn beside<'a>(bars: &[Bar], segments: &[Segment], nets: &'a [Option<StackNet>]) 
     found
 }
 
-/// Says which circles nearly touch where an element is inverted.
-fn because(error: FlexError, bars: &[Bar]) -> FlexError {
-    let FlexError::Inverted { at, .. } = &error else { return error };
-    near_circles(bars, Point::new(at[0], at[1])).unwrap_or(error)
+/// An element that is folded, with what lies near it.
+fn misshapen(bars: &[Bar], element: usize, at: [f64; 3], jacobian: f64, needed: f64) -> FlexError {
+    let message = format!(
+        "element {element} at z {:.2} mm has a smallest scaled Jacobian of {jacobian:.3}, needed above {needed}",
+        1e3 * at[2]
+    );
+    crowded(bars, Point::new(at[0], at[1]), message)
 }
 
-/// Circles of two bars, fillets included, that nearly touch in projection near a point.
-fn near_circles(bars: &[Bar], at: Point) -> Option<FlexError> {
+/// What has no room at a point, and which circles nearly touch there.
+fn crowded(bars: &[Bar], at: Point, what: String) -> FlexError {
+    let message = near_circles(bars, at).map_or(what.clone(), |circles| format!("{what}; {circles}"));
+    FlexError::Crowded { at: [at.x, at.y], message }
+}
+
+/// Says which circles of two bars, fillets included, nearly touch in projection near a point.
+fn near_circles(bars: &[Bar], at: Point) -> Option<String> {
     let circles = |bar: &Bar| {
         let name = bar.name.clone();
         let fillets = bar.fillets.into_iter().filter(|fillet| *fillet > 0.0);
@@ -224,7 +221,7 @@ fn near_circles(bars: &[Bar], at: Point) -> Option<FlexError> {
             std::iter::once((bar.name.clone(), bar.radius)).chain(fillets).collect();
         own
     };
-    let mut best: Option<(f64, FlexError)> = None;
+    let mut best: Option<(f64, String)> = None;
     for (k, one) in bars.iter().enumerate() {
         for two in &bars[..k] {
             let apart = (one.centre - two.centre).norm();
@@ -243,27 +240,21 @@ fn near_circles(bars: &[Bar], at: Point) -> Option<FlexError> {
                         let is_near = gap.abs() < most && near < 0.5 * a.min(b);
                         if is_near && best.as_ref().is_none_or(|(least, _)| gap.abs() < *least) {
                             let message = format!(
-                                "the circles of {first} ({:.2} mm diameter) and {second} ({:.2} mm), {:.2} mm apart at their middles, nearly touch, seen along the crank: they {} by {:.2} mm, \
-                                 and no elements of good shape were found between them; {:.2} mm more of it make room",
+                                "the circles of {first} ({:.2} mm diameter) and {second} ({:.2} mm), {:.2} mm apart at their middles, {} by {:.2} mm",
                                 2e3 * a,
                                 2e3 * b,
                                 1e3 * apart,
                                 if gap > 0.0 { "miss each other" } else { "overlap" },
-                                1e3 * gap.abs(),
-                                1e3 * (most - gap.abs())
+                                1e3 * gap.abs()
                             );
-                            let hint = "change a diameter, a fillet or the crank radius by that much, or the number of elements across a fillet";
-                            best = Some((
-                                gap.abs(),
-                                refuse(&format!("{} and {}", two.name, one.name), message, hint),
-                            ));
+                            best = Some((gap.abs(), message));
                         }
                     }
                 }
             }
         }
     }
-    best.map(|(_, error)| error)
+    best.map(|(_, message)| message)
 }
 
 /// One material: Young's modulus and Poisson's ratio of the file, or those of steel.

@@ -4,6 +4,7 @@ use super::SymmetricMatrix;
 use crate::FlexError;
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt::factor::LltError;
+use faer::linalg::matmul::matmul;
 use faer::perm::PermRef;
 use faer::sparse::linalg::SupernodalThreshold;
 use faer::sparse::linalg::cholesky::{
@@ -12,9 +13,17 @@ use faer::sparse::linalg::cholesky::{
 };
 use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
 use faer::traits::RealField;
-use faer::{Conj, MatMut, Par, Side};
+use faer::{Accum, Conj, Mat, MatMut, Par, Side};
 use serde::Serialize;
 use std::sync::Arc;
+use std::time::Instant;
+
+/// Operations a second of a factor, over those of a product of two matrices: its blocks are smaller.
+const OF_PRODUCT: f64 = 0.5;
+/// Rows of the matrices of that product.
+const ROWS: usize = 512;
+/// How many products are made; the fastest counts, the first one wakes the threads.
+const PRODUCTS: usize = 4;
 
 /// Degree of parallelism that is asked for: bits depend on it, not on the number of threads.
 #[cfg(not(target_arch = "wasm32"))]
@@ -56,9 +65,15 @@ pub struct SolveEstimate {
 }
 
 impl SolveEstimate {
-    /// Time of the factor on a machine of 10 (double precision: 5) thousand million operations a second [s].
+    /// Time that the factor will take on this machine, from that of a product of two matrices, which is made for it in some milliseconds [s].
+    /// Within a browser there is no clock for it.
+    #[cfg(not(target_arch = "wasm32"))]
     pub fn seconds(&self) -> f64 {
-        self.operations / if self.precision == Precision::Single { 1e10 } else { 5e9 }
+        let rate = match self.precision {
+            Precision::Single => product_rate::<f32>(),
+            Precision::Double => product_rate::<f64>(),
+        };
+        self.operations / (OF_PRODUCT * rate)
     }
 }
 
@@ -141,6 +156,22 @@ impl FactorPlan {
         }
         Err(FlexError::Memory { unknowns: self.unknowns, entries: self.entries, needed, allowed })
     }
+}
+
+/// Operations a second of a product of two matrices.
+#[cfg(not(target_arch = "wasm32"))]
+fn product_rate<T: Real>() -> f64 {
+    let one = Mat::<T>::from_fn(ROWS, ROWS, |row, column| T::from_double(1.0 / (1 + row + column) as f64));
+    let mut product = Mat::<T>::zeros(ROWS, ROWS);
+    let mut least = f64::INFINITY;
+    for _ in 0..PRODUCTS {
+        let start = Instant::now();
+        rayon::scope(|_| {
+            matmul(&mut product, Accum::Replace, &one, &one, T::from_double(1.0), parallel());
+        });
+        least = least.min(start.elapsed().as_secs_f64());
+    }
+    2.0 * (ROWS as f64).powi(3) / least.max(f64::MIN_POSITIVE)
 }
 
 /// Sum over the columns of the square of their length.

@@ -51,7 +51,7 @@ impl Study {
             let options = CrankMeshOptions { size, fillet_elements: count, ..mesh.options };
             match crank_mesh(engine, mesh.crankshaft, options) {
                 Ok(found) => Ok(Some(found.mesh.nodes.len())),
-                Err(FlexError::Inverted { .. }) => Ok(None),
+                Err(FlexError::Crowded { .. }) => Ok(None),
                 Err(error) => Err(StressError::from(error)),
             }
         };

@@ -75,7 +75,7 @@ impl StressMesh {
             let found = crank_mesh(engine, own.crankshaft, own.options);
             let is_too_fine = match &found {
                 Ok(found) => found.mesh.nodes.len() > MOST_NODES,
-                Err(error) => matches!(error, FlexError::Inverted { .. }),
+                Err(error) => matches!(error, FlexError::Crowded { .. }),
             };
             if !(is_too_fine && nobody_says && own.options.fillet_elements > 2) {
                 return Ok((found?, own));

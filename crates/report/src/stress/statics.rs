@@ -208,8 +208,8 @@ impl StaticStress {
             id: "stress-fillets",
             title: "Fillets".into(),
             note: "Largest stress of each fillet over all cases. Principal: the principal stress of the largest size there, tension \
-                   positive. Jump: how far the elements that meet there differ, a sign of the error. Angle about the middle of the pin \
-                   or journal, from throw 1."
+                   positive. Jump: how far elements that meet at a node of the fillet differ, at most in the elements about that place, over its \
+                   stress: a sign of the error. Angle about the middle of the pin or journal, from throw 1."
                 .into(),
             remark: String::new(),
             columns: vec![
