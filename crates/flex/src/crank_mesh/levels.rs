@@ -1,7 +1,7 @@
 //! Levels along z.
 
 /// Growth from layer to layer.
-const GROWTH: f64 = 1.5;
+pub(super) const GROWTH: f64 = 1.5;
 /// A plane takes the place of a level that is nearer than this [m].
 const NEAR: f64 = 0.4e-3;
 /// Levels nearer than this are one [m].

@@ -1,5 +1,6 @@
 //! Circles that the bars of a crankshaft need about each centre.
 
+use super::levels::GROWTH;
 use super::segment::{Bar, TINY};
 use lanchester_shape::Point;
 
@@ -72,6 +73,19 @@ pub(super) fn layer_radii(bar: f64, fillet: f64, layers: usize) -> impl Iterator
     (1..=count).map(move |k| bar + fillet * k as f64 / layers as f64)
 }
 
+/// Radii within a bar at which layers below its surface end: as thick as those of its smallest fillet at the surface, growing after, to less than
+/// the depth of the fillet's radius, where most of what it concentrates has faded.
+fn inner_radii(bar: &Bar, fillet: f64, layers: usize) -> Vec<f64> {
+    let (mut step, mut depth) = (fillet / layers as f64, 0.0);
+    let mut radii = Vec::new();
+    while depth + step < fillet - TINY && bar.radius - depth - step > bar.bore + step {
+        depth += step;
+        step *= GROWTH;
+        radii.push(bar.radius - depth);
+    }
+    radii
+}
+
 /// Circles about each centre.
 pub(super) fn rings(bars: &[Bar], layers: usize, size: f64) -> Vec<Rings> {
     let mut all: Vec<Rings> = Vec::new();
@@ -99,6 +113,9 @@ pub(super) fn rings(bars: &[Bar], layers: usize, size: f64) -> Vec<Rings> {
             own.extend(
                 ends.map(|(k, radius)| (if k + 1 == layers { Rank::Edge } else { Rank::Layer }, radius)),
             );
+        }
+        if let Some(fillet) = fillet {
+            own.extend(inner_radii(bar, fillet, layers).into_iter().map(|radius| (Rank::Layer, radius)));
         }
         add(false, own, chord, layer);
         if bar.bore > 0.0 {
