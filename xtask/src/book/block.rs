@@ -1,0 +1,263 @@
+//! A block of formulas as a table: what stands below one another in the text does so on the page, numbers at the right.
+
+use crate::book::expression::{Item, Node, expression};
+use crate::book::mathml::{escape, math};
+use crate::book::tokens::is_accent;
+use anyhow::{Context, Result};
+use std::collections::BTreeSet;
+
+const RELATIONS: &str = "=<>≤≥∈∋→";
+
+/// What a line says up to a gap of two spaces or more.
+#[derive(Clone, Debug, PartialEq, Eq)]
+struct Piece {
+    column: usize,
+    text: String,
+}
+
+/// A line of the block.
+struct Line {
+    pieces: Vec<Piece>,
+    number: Option<String>,
+    /// Whether an empty line stands before it.
+    apart: bool,
+}
+
+/// The HTML of a block, on one line; `link` makes a number in brackets a reference. The error names the line within the block, from 1.
+pub fn html(text: &str, link: &dyn Fn(&str) -> Option<String>) -> Result<String, (usize, anyhow::Error)> {
+    let lines = lines(text);
+    let stops = stops(&lines);
+    let mut rows = String::new();
+    for (line, number) in &lines {
+        rows += &row(line, &stops, link).map_err(|error| (*number, error))?;
+    }
+    let plain = escape(text.trim_end()).replace('\n', "&#10;");
+    Ok(format!(
+        "<div class=\"formula\"><div class=\"lines\"><table role=\"presentation\"><tbody>{rows}</tbody></table></div>\
+         <details><summary title=\"the formulas as plain text\">text</summary><pre>{plain}</pre></details></div>"
+    ))
+}
+
+/// `43.2` of `(43.2)`.
+pub fn equation_number(text: &str) -> Option<&str> {
+    let number = text.strip_prefix('(')?.strip_suffix(')')?;
+    let (chapter, rest) = number.split_once('.')?;
+    let digits = |part: &str| (1..=2).contains(&part.len()) && part.bytes().all(|b| b.is_ascii_digit());
+    (digits(chapter) && digits(rest)).then_some(number)
+}
+
+/// Where an equation stands within its page.
+pub fn anchor(number: &str) -> String {
+    format!("eq-{}", number.replace('.', "-"))
+}
+
+/// The lines with their numbers from 1.
+fn lines(text: &str) -> Vec<(Line, usize)> {
+    let mut lines = Vec::new();
+    let mut apart = false;
+    for (index, line) in text.lines().enumerate() {
+        let mut pieces = pieces(line);
+        let number = pieces.last().and_then(|piece| equation_number(&piece.text)).map(str::to_owned);
+        if number.is_some() {
+            pieces.pop();
+        }
+        if line.trim().is_empty() {
+            apart = true;
+        } else {
+            lines.push((Line { pieces, number, apart: std::mem::take(&mut apart) }, index + 1));
+        }
+    }
+    lines
+}
+
+/// A line between its gaps; within brackets spaces are no gap.
+fn pieces(line: &str) -> Vec<Piece> {
+    let mut pieces: Vec<Piece> = Vec::new();
+    let (mut depth, mut spaces, mut column) = (0_usize, 2, 0);
+    for c in line.chars() {
+        if c == ' ' {
+            spaces += 1;
+        } else {
+            if spaces >= 2 && depth == 0 {
+                pieces.push(Piece { column, text: String::new() });
+            } else if let (Some(piece), true) = (pieces.last_mut(), spaces > 0) {
+                piece.text.push(' ');
+            }
+            match c {
+                '(' | '[' | '{' => depth += 1,
+                ')' | ']' | '}' => depth = depth.saturating_sub(1),
+                _ => {}
+            }
+            if let Some(piece) = pieces.last_mut() {
+                piece.text.push(c);
+            }
+            spaces = 0;
+        }
+        column += usize::from(!is_accent(c));
+    }
+    pieces
+}
+
+/// Columns at which pieces of at least two lines begin, or a piece of one and a relation of another; the first is 0.
+fn stops(lines: &[(Line, usize)]) -> Vec<usize> {
+    let mut stops = BTreeSet::from([0]);
+    let begins = |line: &Line, column: usize| line.pieces.iter().any(|piece| piece.column == column);
+    let relates = |line: &Line, column: usize| {
+        line.pieces.iter().any(|piece| split(piece, column).is_some_and(|(_, behind)| is_relation(&behind.text)))
+    };
+    for (index, (line, _)) in lines.iter().enumerate() {
+        for piece in &line.pieces {
+            let mut others = lines.iter().enumerate().filter(|(other, _)| *other != index).map(|(_, (line, _))| line);
+            let relation = is_relation(&piece.text);
+            if others.any(|other| begins(other, piece.column) || relation && relates(other, piece.column)) {
+                stops.insert(piece.column);
+            }
+        }
+    }
+    stops.into_iter().collect()
+}
+
+fn is_relation(text: &str) -> bool {
+    text.starts_with(|c| RELATIONS.contains(c)) || text.starts_with("+=") || text.starts_with("−=")
+}
+
+/// A piece in front of and from this column on, where a space outside brackets stands before it.
+fn split(piece: &Piece, column: usize) -> Option<(Piece, Piece)> {
+    let (mut at, mut depth) = (piece.column, 0_i32);
+    for (byte, c) in piece.text.char_indices() {
+        if at == column && depth == 0 && piece.text[..byte].ends_with(' ') && !is_accent(c) {
+            let front = Piece { column: piece.column, text: piece.text[..byte].trim_end().to_owned() };
+            return Some((front, Piece { column, text: piece.text[byte..].to_owned() }));
+        }
+        depth += i32::from(matches!(c, '(' | '[' | '{')) - i32::from(matches!(c, ')' | ']' | '}'));
+        at += usize::from(!is_accent(c));
+    }
+    None
+}
+
+/// Pieces with those joined that say one thing: a relation stands at the end of one or at the beginning of the next.
+fn joined(pieces: &[Piece], stops: &[usize]) -> Vec<Piece> {
+    let mut done: Vec<Piece> = Vec::new();
+    let mut todo: Vec<Piece> = pieces.iter().rev().cloned().collect();
+    while let Some(mut piece) = todo.pop() {
+        let relation =
+            stops.iter().find_map(|stop| split(&piece, *stop).filter(|(_, behind)| is_relation(&behind.text)));
+        if let Some((front, behind)) = relation {
+            todo.push(behind);
+            piece = front;
+        }
+        let at_stop = stops.contains(&piece.column);
+        match done.last_mut() {
+            Some(last) if !at_stop && (is_relation(&piece.text) || goes_on(&last.text)) => {
+                last.text = format!("{} {}", last.text, piece.text);
+            }
+            _ => done.push(piece),
+        }
+    }
+    done
+}
+
+/// Whether the piece is not complete at its end.
+fn goes_on(text: &str) -> bool {
+    text.ends_with(|c| RELATIONS.contains(c) || "+−-·".contains(c)) || text.ends_with(" of")
+}
+
+fn row(line: &Line, stops: &[usize], link: &dyn Fn(&str) -> Option<String>) -> Result<String> {
+    let pieces = joined(&line.pieces, stops);
+    let cell_of = |piece: &Piece| stops.iter().rposition(|stop| *stop <= piece.column).unwrap_or(0);
+    let mut cells: Vec<(usize, Vec<&Piece>)> = Vec::new();
+    for piece in &pieces {
+        match cells.last_mut() {
+            Some((cell, held)) if *cell == cell_of(piece) => held.push(piece),
+            _ => cells.push((cell_of(piece), vec![piece])),
+        }
+    }
+    let mut html = String::new();
+    let first = cells.first().map_or(0, |(cell, _)| *cell);
+    if first > 0 {
+        html += &format!("<td{}></td>", span(first));
+    }
+    for (index, (cell, held)) in cells.iter().enumerate() {
+        let end = cells.get(index + 1).map_or(stops.len(), |(next, _)| *next);
+        let mut classes = Vec::new();
+        if held[0].column > stops[*cell] {
+            classes.push("indented");
+        }
+        if is_relation(&held[0].text) {
+            classes.push("relation");
+        }
+        let class = if classes.is_empty() { String::new() } else { format!(" class=\"{}\"", classes.join(" ")) };
+        let content = held.iter().map(|piece| flow(&piece.text, link)).collect::<Result<Vec<_>>>()?;
+        let content: String = content.iter().map(|piece| format!("<span>{piece}</span>")).collect::<Vec<_>>().join(" ");
+        html += &format!("<td{}{class}>{content}</td>", span(end - cell));
+    }
+    let class = if line.apart { " class=\"apart\"" } else { "" };
+    let number = line.number.as_deref().map_or(String::new(), |number| {
+        let anchor = anchor(number);
+        format!("<a id=\"{anchor}\" href=\"#{anchor}\">({number})</a>")
+    });
+    Ok(format!("<tr{class}>{html}<td class=\"number\">{number}</td></tr>"))
+}
+
+fn span(cells: usize) -> String {
+    if cells > 1 { format!(" colspan=\"{cells}\"") } else { String::new() }
+}
+
+/// A piece as words with formulas between them, so that long text breaks as text does.
+fn flow(text: &str, link: &dyn Fn(&str) -> Option<String>) -> Result<String> {
+    let items = expression(text).with_context(|| format!("cannot typeset {text:?}"))?;
+    let mut html = String::new();
+    let mut formula: Vec<Item> = Vec::new();
+    let mut after_words = false;
+    for (index, item) in items.iter().enumerate() {
+        let behind = items.get(index + 1).map(|next| &next.node);
+        let reference = equation_number(&text[item.at.clone()]);
+        let words = match &item.node {
+            Node::Word(word) if !divides(&items, index) => Some(escape(word)),
+            Node::Code(code) => Some(format!("<code>{}</code>", escape(code))),
+            // A sign between words is one of the text; so is the colon that ends a label.
+            Node::Punctuation(sign) if after_words && formula.is_empty() || sign == ":" || matches!(behind, Some(Node::Word(_))) => {
+                Some(sign.clone())
+            }
+            Node::Slash if after_words && formula.is_empty() => Some("/".to_owned()),
+            _ => reference.map(|number| {
+                let label = format!("({number})");
+                link(number).map_or(label.clone(), |to| format!("<a href=\"{to}\">{label}</a>"))
+            }),
+        };
+        match words {
+            Some(words) => {
+                put(&mut html, &mut formula, text);
+                html += if item.spaced && !html.is_empty() { " " } else { "" };
+                html += &words;
+                after_words = true;
+            }
+            None => {
+                if formula.is_empty() && item.spaced && !html.is_empty() {
+                    html.push(' ');
+                }
+                formula.push(item.clone());
+                after_words = false;
+            }
+        }
+    }
+    put(&mut html, &mut formula, text);
+    Ok(html)
+}
+
+/// Whether this word is one side of a fraction or a factor right at one.
+fn divides(items: &[Item], index: usize) -> bool {
+    let slash = |item: Option<&Item>| item.is_some_and(|item| item.node == Node::Slash);
+    let word = |item: Option<&Item>| item.is_some_and(|item| matches!(item.node, Node::Word(_)));
+    let before = index.checked_sub(1).and_then(|before| items.get(before));
+    let behind = items.get(index + 1);
+    slash(before) && !word(behind) || slash(behind) && !word(before)
+}
+
+/// Sets the formula that has been gathered.
+fn put(html: &mut String, formula: &mut Vec<Item>, text: &str) {
+    if let (Some(first), Some(last)) = (formula.first(), formula.last()) {
+        *html += &math(formula, &text[first.at.start..last.at.end]);
+        formula.clear();
+    }
+}
