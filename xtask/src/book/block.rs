@@ -4,9 +4,12 @@ use crate::book::expression::{Item, Node, expression};
 use crate::book::mathml::{escape, math};
 use crate::book::tokens::is_accent;
 use anyhow::{Context, Result};
-use std::collections::BTreeSet;
+use std::collections::BTreeMap;
 
 const RELATIONS: &str = "=<>≤≥∈∋→";
+
+/// A piece with more words than this is text with formulas in it, which may break.
+const TEXT: usize = 4;
 
 /// What a line says up to a gap of two spaces or more.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -98,9 +101,18 @@ fn pieces(line: &str) -> Vec<Piece> {
     pieces
 }
 
-/// Columns at which pieces of at least two lines begin, or a piece of one and a relation of another; the first is 0.
-fn stops(lines: &[(Line, usize)]) -> Vec<usize> {
-    let mut stops = BTreeSet::from([0]);
+/// A column at which pieces of several lines begin.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+struct Stop {
+    column: usize,
+    /// Whether they begin with a relation.
+    relation: bool,
+}
+
+/// Columns at which pieces of at least two lines begin, or a relation that begins a piece of one and follows a space in another; the first
+/// is 0.
+fn stops(lines: &[(Line, usize)]) -> Vec<Stop> {
+    let mut stops = BTreeMap::from([(0, false)]);
     let begins = |line: &Line, column: usize| line.pieces.iter().any(|piece| piece.column == column);
     let relates = |line: &Line, column: usize| {
         line.pieces.iter().any(|piece| split(piece, column).is_some_and(|(_, behind)| is_relation(&behind.text)))
@@ -110,11 +122,11 @@ fn stops(lines: &[(Line, usize)]) -> Vec<usize> {
             let mut others = lines.iter().enumerate().filter(|(other, _)| *other != index).map(|(_, (line, _))| line);
             let relation = is_relation(&piece.text);
             if others.any(|other| begins(other, piece.column) || relation && relates(other, piece.column)) {
-                stops.insert(piece.column);
+                *stops.entry(piece.column).or_default() |= relation;
             }
         }
     }
-    stops.into_iter().collect()
+    stops.into_iter().map(|(column, relation)| Stop { column, relation }).collect()
 }
 
 fn is_relation(text: &str) -> bool {
@@ -136,19 +148,20 @@ fn split(piece: &Piece, column: usize) -> Option<(Piece, Piece)> {
 }
 
 /// Pieces with those joined that say one thing: a relation stands at the end of one or at the beginning of the next.
-fn joined(pieces: &[Piece], stops: &[usize]) -> Vec<Piece> {
+fn joined(pieces: &[Piece], stops: &[Stop]) -> Vec<Piece> {
     let mut done: Vec<Piece> = Vec::new();
     let mut todo: Vec<Piece> = pieces.iter().rev().cloned().collect();
     while let Some(mut piece) = todo.pop() {
-        let relation =
-            stops.iter().find_map(|stop| split(&piece, *stop).filter(|(_, behind)| is_relation(&behind.text)));
-        if let Some((front, behind)) = relation {
+        let mut relations = stops.iter().filter(|stop| stop.relation);
+        let parted =
+            relations.find_map(|stop| split(&piece, stop.column).filter(|(_, behind)| is_relation(&behind.text)));
+        if let Some((front, behind)) = parted {
             todo.push(behind);
             piece = front;
         }
-        let at_stop = stops.contains(&piece.column);
+        let at_stop = stops.iter().any(|stop| stop.column == piece.column);
         match done.last_mut() {
-            Some(last) if !at_stop && (is_relation(&piece.text) || goes_on(&last.text)) => {
+            Some(last) if goes_on(&last.text) || !at_stop && is_relation(&piece.text) => {
                 last.text = format!("{} {}", last.text, piece.text);
             }
             _ => done.push(piece),
@@ -162,9 +175,9 @@ fn goes_on(text: &str) -> bool {
     text.ends_with(|c| RELATIONS.contains(c) || "+−-·".contains(c)) || text.ends_with(" of")
 }
 
-fn row(line: &Line, stops: &[usize], link: &dyn Fn(&str) -> Option<String>) -> Result<String> {
+fn row(line: &Line, stops: &[Stop], link: &dyn Fn(&str) -> Option<String>) -> Result<String> {
     let pieces = joined(&line.pieces, stops);
-    let cell_of = |piece: &Piece| stops.iter().rposition(|stop| *stop <= piece.column).unwrap_or(0);
+    let cell_of = |piece: &Piece| stops.iter().rposition(|stop| stop.column <= piece.column).unwrap_or(0);
     let mut cells: Vec<(usize, Vec<&Piece>)> = Vec::new();
     for piece in &pieces {
         match cells.last_mut() {
@@ -180,7 +193,7 @@ fn row(line: &Line, stops: &[usize], link: &dyn Fn(&str) -> Option<String>) -> R
     for (index, (cell, held)) in cells.iter().enumerate() {
         let end = cells.get(index + 1).map_or(stops.len(), |(next, _)| *next);
         let mut classes = Vec::new();
-        if held[0].column > stops[*cell] {
+        if held[0].column > stops[*cell].column {
             classes.push("indented");
         }
         if is_relation(&held[0].text) {
@@ -188,8 +201,7 @@ fn row(line: &Line, stops: &[usize], link: &dyn Fn(&str) -> Option<String>) -> R
         }
         let class = if classes.is_empty() { String::new() } else { format!(" class=\"{}\"", classes.join(" ")) };
         let content = held.iter().map(|piece| flow(&piece.text, link)).collect::<Result<Vec<_>>>()?;
-        let content: String = content.iter().map(|piece| format!("<span>{piece}</span>")).collect::<Vec<_>>().join(" ");
-        html += &format!("<td{}{class}>{content}</td>", span(end - cell));
+        html += &format!("<td{}{class}>{}</td>", span(end - cell), content.join(" "));
     }
     let class = if line.apart { " class=\"apart\"" } else { "" };
     let number = line.number.as_deref().map_or(String::new(), |number| {
@@ -209,11 +221,12 @@ fn flow(text: &str, link: &dyn Fn(&str) -> Option<String>) -> Result<String> {
     let mut html = String::new();
     let mut formula: Vec<Item> = Vec::new();
     let mut after_words = false;
+    let mut count = 0;
     for (index, item) in items.iter().enumerate() {
         let behind = items.get(index + 1).map(|next| &next.node);
         let reference = equation_number(&text[item.at.clone()]);
         let words = match &item.node {
-            Node::Word(word) if !divides(&items, index) => Some(escape(word)),
+            Node::Word(word) if !is_quantity(&items, index) => Some(escape(word)),
             Node::Code(code) => Some(format!("<code>{}</code>", escape(code))),
             // A sign between words is one of the text; so is the colon that ends a label.
             Node::Punctuation(sign) if after_words && formula.is_empty() || sign == ":" || matches!(behind, Some(Node::Word(_))) => {
@@ -227,13 +240,16 @@ fn flow(text: &str, link: &dyn Fn(&str) -> Option<String>) -> Result<String> {
         };
         match words {
             Some(words) => {
+                // Signs bring their own spaces.
+                let sign = formula.last().is_some_and(|last| matches!(last.node, Node::Operator(_)));
                 put(&mut html, &mut formula, text);
-                html += if item.spaced && !html.is_empty() { " " } else { "" };
+                html += if item.spaced && !html.is_empty() && !sign { " " } else { "" };
                 html += &words;
                 after_words = true;
+                count += 1;
             }
             None => {
-                if formula.is_empty() && item.spaced && !html.is_empty() {
+                if formula.is_empty() && item.spaced && !html.is_empty() && !is_infix(&items, index) {
                     html.push(' ');
                 }
                 formula.push(item.clone());
@@ -242,16 +258,27 @@ fn flow(text: &str, link: &dyn Fn(&str) -> Option<String>) -> Result<String> {
         }
     }
     put(&mut html, &mut formula, text);
-    Ok(html)
+    let class = if count > TEXT { " class=\"text\"" } else { "" };
+    Ok(format!("<span{class}>{html}</span>"))
 }
 
-/// Whether this word is one side of a fraction or a factor right at one.
-fn divides(items: &[Item], index: usize) -> bool {
-    let slash = |item: Option<&Item>| item.is_some_and(|item| item.node == Node::Slash);
+/// Whether this word alone is a quantity: a sign of the formula stands right beside it.
+fn is_quantity(items: &[Item], index: usize) -> bool {
     let word = |item: Option<&Item>| item.is_some_and(|item| matches!(item.node, Node::Word(_)));
-    let before = index.checked_sub(1).and_then(|before| items.get(before));
+    let before = index.checked_sub(1);
     let behind = items.get(index + 1);
-    slash(before) && !word(behind) || slash(behind) && !word(before)
+    before.is_some_and(|before| matches!(items[before].node, Node::Slash | Node::Operator(_))) && !word(behind)
+        || is_infix(items, index + 1) && !word(before.and_then(|before| items.get(before)))
+}
+
+/// Whether a sign stands here that belongs to both its sides.
+fn is_infix(items: &[Item], index: usize) -> bool {
+    let touches = items.get(index + 1).is_some_and(|next| !next.spaced);
+    items.get(index).is_some_and(|item| match item.node {
+        Node::Slash => true,
+        Node::Operator(_) => !(item.spaced && touches),
+        _ => false,
+    })
 }
 
 /// Sets the formula that has been gathered.

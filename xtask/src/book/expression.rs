@@ -359,13 +359,15 @@ fn indices(text: &str, at: Range<usize>) -> Vec<Item> {
     let mut rest = text;
     while let Some(first) = rest.chars().next() {
         let digits = first.is_ascii_digit();
-        let letters = first.is_alphabetic();
-        let same = |c: char| if digits { c.is_ascii_digit() || c == '.' } else { letters && c.is_alphabetic() };
+        let letters = first.is_alphabetic() && first != 'ᵀ';
+        let same =
+            |c: char| if digits { c.is_ascii_digit() || c == '.' } else { letters && c.is_alphabetic() && c != 'ᵀ' };
         let length = rest.find(|c| !same(c)).unwrap_or(rest.len()).max(first.len_utf8());
         let (run, after) = rest.split_at(length);
         rest = after;
         match first {
             _ if digits => nodes.push(Node::Number(run.to_owned())),
+            'ᵀ' => nodes.push(Node::Upright("T".to_owned())),
             _ if letters && is_name(run) => nodes.push(Node::Word(run.to_owned())),
             _ if letters => nodes.extend(run.chars().map(|c| Node::Letter(c.to_string()))),
             ',' => nodes.push(Node::Punctuation(run.to_owned())),
@@ -379,7 +381,7 @@ fn indices(text: &str, at: Range<usize>) -> Vec<Item> {
 fn is_name(run: &str) -> bool {
     let vowel = run.contains(['a', 'e', 'i', 'o', 'u']);
     let capitals = run.chars().all(|c| c.is_ascii_uppercase());
-    run.is_ascii() && run.len() > 1 && (capitals || run == "up" || run.len() > 2 && vowel)
+    run.is_ascii() && run.len() > 1 && (capitals || ["up", "to"].contains(&run) || run.len() > 2 && vowel)
 }
 
 #[cfg(test)]

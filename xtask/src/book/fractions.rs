@@ -64,6 +64,7 @@ fn denominator(items: &[Item], spaced: bool) -> Option<usize> {
     }
     match items.get(end) {
         Some(next) if next.node == Node::Slash => None,
+        Some(next) if next.node == Node::Operator("·".to_owned()) && !next.spaced => None,
         Some(next) if spaced && !matches!(next.node, Node::Operator(_) | Node::Punctuation(_)) => None,
         _ => Some(end),
     }
@@ -76,8 +77,21 @@ fn numerator(items: &[Item], below: &[Item], spaced: bool, is_derivative: bool) 
         return None;
     }
     let before = |start: usize| start.checked_sub(1).map(|index| &items[index]);
-    while !items[start].spaced && before(start).is_some_and(|item| item.node.is_operand()) {
-        start -= 1;
+    // `r·z/w`: a dot without spaces binds as close as none.
+    let dotted = |start: usize, spaced: bool| {
+        let dot = before(start).is_some_and(|item| {
+            item.node == Node::Operator("·".to_owned()) && (spaced || !item.spaced && !items[start].spaced)
+        });
+        dot && start >= 2 && items[start - 2].node.is_operand()
+    };
+    loop {
+        if !items[start].spaced && before(start).is_some_and(|item| item.node.is_operand()) {
+            start -= 1;
+        } else if dotted(start, false) {
+            start -= 2;
+        } else {
+            break;
+        }
     }
     if is_derivative || matches!(items[start].node, Node::Differential(..)) {
         // `d f_n/dp`: the d stands apart from a name of more than one letter.
@@ -99,10 +113,13 @@ fn numerator(items: &[Item], below: &[Item], spaced: bool, is_derivative: bool) 
             // `sin a/2`: of the angle or of the sine?
             return None;
         }
-        if !(plain || item.node.is_function()) {
+        if plain || item.node.is_function() {
+            start -= 1;
+        } else if dotted(start, spaced) {
+            start -= 2;
+        } else {
             break;
         }
-        start -= 1;
     }
     // A slash behind a fraction's neighbour, `π/4 d/e`, takes its neighbour alone.
     let fraction = before(start).is_some_and(|item| matches!(item.node, Node::Fraction(..) | Node::Slash));
@@ -179,6 +196,8 @@ mod tests {
         assert_eq!(stacked("a − 1/2 m"), "a − {1|2} m");
         assert_eq!(stacked("y 1/2 b"), "y {1|2} b");
         assert_eq!(stacked("π/4 d² R/L"), "{π|4} d² {R|L}");
+        assert_eq!(stacked("β = r·z/(r·z)_before"), "β = {r·z|(r·z)_before}");
+        assert_eq!(stacked("w/2 · tan β"), "{w|2} · tan β");
     }
 
     #[test]
@@ -186,11 +205,13 @@ mod tests {
         assert_eq!(stacked("a = m b / l"), "a = {m b|l}");
         assert_eq!(stacked("U sin δ / sin(α + δ)"), "{U sin δ|sin(α + δ)}");
         assert_eq!(stacked("(a + b) / c = 1"), "{a + b|c} = 1");
+        assert_eq!(stacked("s = d·P / (d·u)"), "s = {d·P|d·u}");
+        assert_eq!(stacked("T = f · V / P"), "T = {f · V|P}");
     }
 
     #[test]
     fn what_is_in_doubt_keeps_its_slash() {
-        for formula in ["a / b c", "sin a/2", "a/b/c", "a/(b + c)(d + e)", "number of firings / two", "1 / number of firings"] {
+        for formula in ["a / b c", "sin a/2", "a/b/c", "a/(b + c)(d + e)", "a/b·c", "number of firings / two", "1 / number of firings"] {
             assert_eq!(stacked(formula), formula);
         }
     }

@@ -24,9 +24,15 @@ pub fn math(items: &[Item], plain: &str) -> String {
 enum Size {
     /// On the line: fractions are stacked.
     Full,
-    /// In a fraction, a script or a limit: they are not.
+    /// In a fraction or a limit: they are not.
     Small,
+    /// In a script: words are upright names.
+    Script,
 }
+
+/// What is taller than a line: brackets around it grow.
+const TALL: [&str; 9] =
+    ["<mfrac", "<msqrt", "<munder", "<mtable", "<mo>∑", "<mo>∏", "<mo>∫", "<mo>∬", "<mo>∮"];
 
 fn element(name: &str, content: &str) -> String {
     format!("<{name}>{content}</{name}>")
@@ -46,10 +52,13 @@ fn sequence(items: &[Item], size: Size) -> String {
         if let Some(space) = before.and_then(|before| space(before, item)) {
             content += &format!("<mspace width=\"{space}em\"/>");
         }
-        let first = before.is_none_or(|before| matches!(before.node, Node::Operator(_) | Node::Punctuation(_) | Node::Slash));
+        let no_operand = |before: &Item| matches!(before.node, Node::Operator(_) | Node::Punctuation(_) | Node::Slash);
+        let touches = stacked.get(index + 1).is_some_and(|next| !next.spaced);
         content += &match &item.node {
-            Node::Operator(sign) if first && "+−±∓".contains(sign.as_str()) => {
-                format!("<mo form=\"prefix\">{sign}</mo>")
+            Node::Operator(sign) if "+−±∓".contains(sign.as_str()) => {
+                // Before its operand alone, or between two: what stands before it may be words.
+                let prefix = before.is_some_and(no_operand) || touches && (before.is_none() || item.spaced);
+                format!("<mo form=\"{}\">{sign}</mo>", if prefix { "prefix" } else { "infix" })
             }
             node => {
                 let argument = index.checked_sub(1).is_some_and(|before| stacked[before].node.is_function());
@@ -65,6 +74,10 @@ fn sequence(items: &[Item], size: Size) -> String {
 fn space(before: &Item, item: &Item) -> Option<f64> {
     let bare = |node: &Node| matches!(node, Node::Operator(_) | Node::Slash | Node::Punctuation(_));
     let word = |node: &Node| matches!(node, Node::Word(_) | Node::Code(_));
+    let sum = |node: &Node| matches!(node, Node::Big(sign) if sign == "Σ" || sign == "Π") || matches!(node, Node::Limits(..));
+    if sum(&before.node) || matches!(item.node, Node::Big(_)) {
+        return None;
+    }
     if let Node::Punctuation(_) = before.node {
         return item.spaced.then_some(MEDIUM);
     }
@@ -97,6 +110,7 @@ fn write(node: &Node, size: Size, argument: bool) -> String {
             element("mfrac", "<mn>1</mn><mn>2</mn>")
         }
         Node::Number(number) => element("mn", number),
+        Node::Word(word) if size == Size::Script => element("mi", &escape(word)),
         Node::Word(word) => element("mtext", &escape(word)),
         Node::Code(code) => element("mtext", &element("code", &escape(code))),
         Node::Function(name) => element("mi", name),
@@ -116,8 +130,11 @@ fn write(node: &Node, size: Size, argument: bool) -> String {
             element("mfrac", &format!("{}{}", row(above, Size::Small), row(below, Size::Small)))
         }
         Node::Big(sign) => element("mo", sign_of(sign)),
+        Node::Operator(sign) if sign.starts_with(['′', '″']) => {
+            format!("<mo lspace=\"0\" rspace=\"0\">{sign}</mo>")
+        }
         Node::Operator(sign) => element("mo", &escape(sign)),
-        Node::Slash => element("mo", "/"),
+        Node::Slash => "<mo lspace=\"0.06em\" rspace=\"0.06em\">/</mo>".to_owned(),
         Node::Punctuation(sign) if sign == ":" => element("mtext", ":"),
         Node::Punctuation(sign) => element("mo", sign),
     }
@@ -159,14 +176,7 @@ fn group(bracket: Bracket, items: &[Item], size: Size, argument: bool) -> String
         }
     }
     let (open, close) = bracket.signs();
-    let content = sequence(items, size);
-    element(
-        "mrow",
-        &format!(
-            "<mo form=\"prefix\" fence=\"true\" stretchy=\"true\">{open}</mo>{content}\
-             <mo form=\"postfix\" fence=\"true\" stretchy=\"true\">{close}</mo>"
-        ),
-    )
+    fenced(open, &sequence(items, size), close)
 }
 
 fn matrix(rows: &[Vec<Vec<Item>>], size: Size) -> String {
@@ -175,9 +185,16 @@ fn matrix(rows: &[Vec<Vec<Item>>], size: Size) -> String {
         let cells: String = cells.iter().map(|cell| element("mtd", &sequence(cell, size))).collect();
         table += &element("mtr", &cells);
     }
-    let open = "<mo form=\"prefix\" fence=\"true\" stretchy=\"true\">[</mo>";
-    let close = "<mo form=\"postfix\" fence=\"true\" stretchy=\"true\">]</mo>";
-    element("mrow", &format!("{open}{}{close}", element("mtable", &table)))
+    fenced("[", &element("mtable", &table), "]")
+}
+
+/// Brackets around a content, as tall as it is.
+fn fenced(open: &str, content: &str, close: &str) -> String {
+    let grows = TALL.iter().any(|tall| content.contains(tall));
+    let bracket = |form: &str, sign: &str| {
+        format!("<mo form=\"{form}\" fence=\"true\" stretchy=\"{grows}\">{sign}</mo>")
+    };
+    element("mrow", &format!("{}{content}{}", bracket("prefix", open), bracket("postfix", close)))
 }
 
 /// Scripts in the order in which they are written: a subscript and then superscripts stand one above the other.
@@ -188,12 +205,13 @@ fn scripted(base: &Node, scripts: &[Script], size: Size) -> String {
     while let [first, ..] = rest {
         let lowered = usize::from(!first.raised);
         let raised = rest[lowered..].iter().take_while(|script| script.raised).count();
-        let above: String = rest[lowered..lowered + raised].iter().map(|s| sequence(&s.content, Size::Small)).collect();
-        let above = element("mrow", &above);
+        let above: Vec<Item> =
+            rest[lowered..lowered + raised].iter().flat_map(|script| script.content.clone()).collect();
+        let (below, above) = (row(&first.content, Size::Script), row(&above, Size::Script));
         written = match (lowered, raised) {
             (0, _) => element("msup", &format!("{written}{above}")),
-            (_, 0) => element("msub", &format!("{written}{}", row(&first.content, Size::Small))),
-            _ => element("msubsup", &format!("{written}{}{above}", row(&first.content, Size::Small))),
+            (_, 0) => element("msub", &format!("{written}{below}")),
+            _ => element("msubsup", &format!("{written}{below}{above}")),
         };
         rest = &rest[lowered + raised..];
     }
@@ -206,6 +224,6 @@ fn limits(big: &Node, below: &[Item], above: &[Item], size: Size) -> String {
     if above.is_empty() {
         element("munder", &format!("{sign}{below}"))
     } else {
-        element("msubsup", &format!("{sign}{below}{}", row(above, Size::Small)))
+        element("munderover", &format!("{sign}{below}{}", row(above, Size::Small)))
     }
 }

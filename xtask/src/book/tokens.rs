@@ -79,7 +79,7 @@ const PAIRS: [(&str, &str); 7] = [
 /// Raised and lowered characters and what they stand for.
 const RAISED: [(char, &str); 19] = [
     ('⁰', "0"), ('¹', "1"), ('²', "2"), ('³', "3"), ('⁴', "4"), ('⁵', "5"), ('⁶', "6"), ('⁷', "7"), ('⁸', "8"),
-    ('⁹', "9"), ('⁺', "+"), ('⁻', "−"), ('ⁿ', "n"), ('ᵀ', "T"), ('ᵏ', "k"), ('ᵖ', "p"), ('ᴴ', "H"), ('′', "′"),
+    ('⁹', "9"), ('⁺', "+"), ('⁻', "−"), ('ⁿ', "n"), ('ᵀ', "ᵀ"), ('ᵏ', "k"), ('ᵖ', "p"), ('ᴴ', "H"), ('′', "′"),
     ('″', "″"),
 ];
 const LOWERED: [(char, &str); 18] = [
@@ -224,6 +224,12 @@ impl Reader<'_> {
                 let Some(end) = self.rest()[1..].find('`') else { bail!("the ` before {:?} is not closed", self.rest()) };
                 let code = self.rest()[1..=end].to_owned();
                 self.single(Kind::Code, code, end + 2);
+            }
+            // "ψ-rate"
+            '-' if self.follows_operand() && self.rest()[1..].bytes().take(2).all(|b| b.is_ascii_lowercase()) => {
+                self.position += 1;
+                let word = self.take(|c| c.is_ascii_lowercase());
+                self.push(Kind::Word, format!("-{word}"), start);
             }
             '-' => self.single(Kind::Operator, "−", 1),
             _ if OPERATORS.contains(c) => self.single(Kind::Operator, c, c.len_utf8()),
