@@ -1,6 +1,6 @@
 //! A block of formulas as a table: what stands below one another in the text does so on the page, numbers at the right.
 
-use crate::book::expression::{Item, Node, expression};
+use crate::book::expression::{Bracket, Item, Node, expression};
 use crate::book::mathml::{escape, math};
 use crate::book::tokens::is_accent;
 use anyhow::{Context, Result};
@@ -36,8 +36,9 @@ pub fn html(text: &str, link: &dyn Fn(&str) -> Option<String>) -> Result<String,
     }
     let plain = escape(text.trim_end()).replace('\n', "&#10;");
     Ok(format!(
-        "<div class=\"formula\"><div class=\"lines\"><table role=\"presentation\"><tbody>{rows}</tbody></table></div>\
-         <details><summary title=\"the formulas as plain text\">text</summary><pre>{plain}</pre></details></div>"
+        "<div class=\"formula\"><table role=\"presentation\"><tbody style=\"--stops: {}\">{rows}</tbody></table>\
+         <details><summary title=\"the formulas as plain text\">text</summary><pre>{plain}</pre></details></div>",
+        stops.len()
     ))
 }
 
@@ -186,12 +187,7 @@ fn row(line: &Line, stops: &[Stop], link: &dyn Fn(&str) -> Option<String>) -> Re
         }
     }
     let mut html = String::new();
-    let first = cells.first().map_or(0, |(cell, _)| *cell);
-    if first > 0 {
-        html += &format!("<td{}></td>", span(first));
-    }
     for (index, (cell, held)) in cells.iter().enumerate() {
-        let end = cells.get(index + 1).map_or(stops.len(), |(next, _)| *next);
         let mut classes = Vec::new();
         if held[0].column > stops[*cell].column {
             classes.push("indented");
@@ -199,20 +195,20 @@ fn row(line: &Line, stops: &[Stop], link: &dyn Fn(&str) -> Option<String>) -> Re
         if is_relation(&held[0].text) {
             classes.push("relation");
         }
+        if line.apart {
+            classes.push("apart");
+        }
         let class = if classes.is_empty() { String::new() } else { format!(" class=\"{}\"", classes.join(" ")) };
+        // The last one has all that is left before the number.
+        let end = cells.get(index + 1).map_or("-2".to_owned(), |(next, _)| (next + 1).to_string());
         let content = held.iter().map(|piece| flow(&piece.text, link)).collect::<Result<Vec<_>>>()?;
-        html += &format!("<td{}{class}>{}</td>", span(end - cell), content.join(" "));
+        html += &format!("<td{class} style=\"grid-column: {} / {end}\">{}</td>", cell + 1, content.join(" "));
     }
-    let class = if line.apart { " class=\"apart\"" } else { "" };
     let number = line.number.as_deref().map_or(String::new(), |number| {
         let anchor = anchor(number);
         format!("<a id=\"{anchor}\" href=\"#{anchor}\">({number})</a>")
     });
-    Ok(format!("<tr{class}>{html}<td class=\"number\">{number}</td></tr>"))
-}
-
-fn span(cells: usize) -> String {
-    if cells > 1 { format!(" colspan=\"{cells}\"") } else { String::new() }
+    Ok(format!("<tr>{html}<td class=\"number\">{number}</td></tr>"))
 }
 
 /// A piece as words with formulas between them, so that long text breaks as text does.
@@ -232,7 +228,13 @@ fn flow(text: &str, link: &dyn Fn(&str) -> Option<String>) -> Result<String> {
             Node::Punctuation(sign) if after_words && formula.is_empty() || sign == ":" || matches!(behind, Some(Node::Word(_))) => {
                 Some(sign.clone())
             }
-            Node::Slash if after_words && formula.is_empty() => Some("/".to_owned()),
+            // "(four-stroke)"
+            Node::Group(Bracket::Round, inner) if inner.iter().all(|item| matches!(item.node, Node::Word(_) | Node::Punctuation(_))) => {
+                Some(escape(&text[item.at.clone()]))
+            }
+            Node::Slash if after_words && formula.is_empty() || item.spaced && matches!(behind, Some(Node::Word(_))) => {
+                Some("/".to_owned())
+            }
             _ => reference.map(|number| {
                 let label = format!("({number})");
                 link(number).map_or(label.clone(), |to| format!("<a href=\"{to}\">{label}</a>"))
@@ -275,7 +277,7 @@ fn is_quantity(items: &[Item], index: usize) -> bool {
 fn is_infix(items: &[Item], index: usize) -> bool {
     let touches = items.get(index + 1).is_some_and(|next| !next.spaced);
     items.get(index).is_some_and(|item| match item.node {
-        Node::Slash => true,
+        Node::Slash => !item.spaced,
         Node::Operator(_) => !(item.spaced && touches),
         _ => false,
     })

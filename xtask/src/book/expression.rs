@@ -199,6 +199,7 @@ impl Parser<'_> {
             let end = self.tokens[self.next - 1].at.end;
             items.push(Item { node, spaced, at: start..end });
         }
+        derivatives(&mut items);
         Ok(items)
     }
 
@@ -353,6 +354,31 @@ impl Parser<'_> {
     }
 }
 
+/// The d above a derivative's line, as in `d(V W)/dp` and `d f_n/dp`, is upright like the one below.
+fn derivatives(items: &mut [Item]) {
+    fn leading(node: &mut Node) -> Option<&mut Node> {
+        match node {
+            Node::Letter(letter) if letter == "d" => Some(node),
+            Node::Scripts(base, _) | Node::Applied(base, _) => leading(base),
+            _ => None,
+        }
+    }
+    for slash in 1..items.len().saturating_sub(1) {
+        let below = &items[slash + 1].node;
+        if items[slash].node != Node::Slash || !matches!(below, Node::Differential(..)) {
+            continue;
+        }
+        let mut first = slash - 1;
+        while first > 0 && !items[first].spaced && items[first - 1].node.is_operand() {
+            first -= 1;
+        }
+        let apart = first > 0 && items[first - 1].node == Node::Letter("d".to_owned());
+        if let Some(letter) = leading(&mut items[if apart { first - 1 } else { first }].node) {
+            *letter = Node::Upright("d".to_owned());
+        }
+    }
+}
+
 /// What stands after `_` without a bracket: `top,i` is a word and an index, `ij` two indices, `2` a number.
 fn indices(text: &str, at: Range<usize>) -> Vec<Item> {
     let mut nodes = Vec::new();
@@ -381,7 +407,8 @@ fn indices(text: &str, at: Range<usize>) -> Vec<Item> {
 fn is_name(run: &str) -> bool {
     let vowel = run.contains(['a', 'e', 'i', 'o', 'u']);
     let capitals = run.chars().all(|c| c.is_ascii_uppercase());
-    run.is_ascii() && run.len() > 1 && (capitals || ["up", "to"].contains(&run) || run.len() > 2 && vowel)
+    let long = run.len() > 3 || run.len() == 3 && vowel;
+    run.is_ascii() && run.len() > 1 && (capitals || ["up", "to"].contains(&run) || long)
 }
 
 #[cfg(test)]

@@ -18,10 +18,7 @@ pub fn stack(items: &[Item]) -> Vec<Item> {
             let denominator = &items[index + 1..index + 1 + end];
             let at = numerator[0].at.start..denominator[end - 1].at.end;
             let spaced = numerator[0].spaced;
-            let is_derivative = is_differential(&denominator[0].node);
-            let above = if is_derivative { upright(numerator) } else { numerator };
-            let below = if is_derivative { upright(denominator.to_vec()) } else { denominator.to_vec() };
-            let node = Node::Fraction(without_brackets(above), without_brackets(below));
+            let node = Node::Fraction(without_brackets(numerator), without_brackets(denominator.to_vec()));
             done.push(Item { node, spaced, at });
             index += 1 + end;
         } else {
@@ -95,11 +92,13 @@ fn numerator(items: &[Item], below: &[Item], spaced: bool, is_derivative: bool) 
     }
     if is_derivative || matches!(items[start].node, Node::Differential(..)) {
         // `d f_n/dp`: the d stands apart from a name of more than one letter.
-        let apart = before(start).is_some_and(|item| item.node == Node::Letter("d".to_owned()));
+        let apart = before(start).is_some_and(|item| item.node == Node::Upright("d".to_owned()));
         return Some(if is_derivative && apart { start - 1 } else { start });
     }
+    // `1/2`, `π/4`
     let number = |items: &[Item]| matches!(items, [Item { node: Node::Number(_), .. }]);
-    if number(&items[start..]) && number(below) || matches!(items[start].node, Node::Word(_)) {
+    let pi = matches!(&items[start..], [Item { node: Node::Letter(letter), .. }] if letter == "π");
+    if (number(&items[start..]) || pi) && number(below) || matches!(items[start].node, Node::Word(_)) {
         return Some(start);
     }
     let near = start;
@@ -142,21 +141,6 @@ fn is_group(node: &Node) -> bool {
     }
 }
 
-/// The d of a derivative, upright where it stands first.
-fn upright(mut items: Vec<Item>) -> Vec<Item> {
-    fn change(node: &mut Node) {
-        match node {
-            Node::Letter(letter) if letter == "d" => *node = Node::Upright("d".to_owned()),
-            Node::Scripts(base, _) | Node::Applied(base, _) => change(base),
-            _ => {}
-        }
-    }
-    if let Some(first) = items.first_mut() {
-        change(&mut first.node);
-    }
-    items
-}
-
 /// The content of a bracket that holds all of it: the line of the fraction brackets as well.
 fn without_brackets(items: Vec<Item>) -> Vec<Item> {
     match items.as_slice() {
@@ -195,6 +179,7 @@ mod tests {
         assert_eq!(stacked("Σ a x/b"), "Σ {a x|b}");
         assert_eq!(stacked("a − 1/2 m"), "a − {1|2} m");
         assert_eq!(stacked("y 1/2 b"), "y {1|2} b");
+        assert_eq!(stacked("p π/4 B²"), "p {π|4} B²");
         assert_eq!(stacked("π/4 d² R/L"), "{π|4} d² {R|L}");
         assert_eq!(stacked("β = r·z/(r·z)_before"), "β = {r·z|(r·z)_before}");
         assert_eq!(stacked("w/2 · tan β"), "{w|2} · tan β");

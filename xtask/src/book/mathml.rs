@@ -6,7 +6,7 @@ use crate::book::tokens::is_accent;
 
 /// Spaces between factors [em].
 const THIN: f64 = 0.12;
-const MEDIUM: f64 = 0.17;
+const MEDIUM: f64 = 0.2;
 const WIDE: f64 = 0.3;
 
 /// Text with the characters replaced that XML reads as marks.
@@ -74,7 +74,13 @@ fn sequence(items: &[Item], size: Size) -> String {
 fn space(before: &Item, item: &Item) -> Option<f64> {
     let bare = |node: &Node| matches!(node, Node::Operator(_) | Node::Slash | Node::Punctuation(_));
     let word = |node: &Node| matches!(node, Node::Word(_) | Node::Code(_));
-    let sum = |node: &Node| matches!(node, Node::Big(sign) if sign == "Σ" || sign == "Π") || matches!(node, Node::Limits(..));
+    let sum = |node: &Node| match node {
+        Node::Limits(big, ..) => matches!(**big, Node::Big(_)),
+        node => matches!(node, Node::Big(_)),
+    };
+    if integral(&before.node) {
+        return Some(MEDIUM);
+    }
     if sum(&before.node) || matches!(item.node, Node::Big(_)) {
         return None;
     }
@@ -89,6 +95,7 @@ fn space(before: &Item, item: &Item) -> Option<f64> {
     }
     let wide = word(&before.node) || word(&item.node);
     let medium = before.node.is_function()
+        || matches!(before.node, Node::Limits(..))
         || item.node.is_function()
         || matches!(item.node, Node::Differential(..) | Node::Number(_) | Node::Group(..) | Node::Applied(..))
         || matches!(before.node, Node::Differential(..) | Node::Fraction(..));
@@ -99,6 +106,15 @@ fn space(before: &Item, item: &Item) -> Option<f64> {
     } else {
         THIN
     })
+}
+
+/// Whether it is an integral, whose sign leans over what follows.
+fn integral(node: &Node) -> bool {
+    match node {
+        Node::Big(sign) => sign != "Σ" && sign != "Π",
+        Node::Limits(big, ..) => integral(big),
+        _ => false,
+    }
 }
 
 /// One node; `argument` if it is that of a function, which keeps its bracket.
@@ -220,10 +236,11 @@ fn scripted(base: &Node, scripts: &[Script], size: Size) -> String {
 
 fn limits(big: &Node, below: &[Item], above: &[Item], size: Size) -> String {
     let sign = write(big, size, false);
-    let below = row(below, Size::Small);
+    let row = |items: &[Item]| element("mrow", &sequence(items, Size::Small));
+    let below = row(below);
     if above.is_empty() {
         element("munder", &format!("{sign}{below}"))
     } else {
-        element("munderover", &format!("{sign}{below}{}", row(above, Size::Small)))
+        element("munderover", &format!("{sign}{below}{}", row(above)))
     }
 }

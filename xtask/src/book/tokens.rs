@@ -59,10 +59,8 @@ const FUNCTIONS: [&str; 25] = [
 ];
 const BIG: [(&str, &str); 3] = [("SUM", "Σ"), ("PRODUCT", "Π"), ("INTEGRAL", "∫")];
 /// Words of two letters; any other two letters are a mistake, so that no product is set as a word.
-const SHORT_WORDS: [&str; 18] =
-    ["of", "at", "on", "in", "to", "is", "or", "it", "by", "up", "no", "if", "so", "as", "an", "TF", "GY", "kg"];
-/// Units in brackets, which stay as they are.
-const UNITS: [&str; 7] = ["g", "kg", "m", "mm", "s", "N", "rpm"];
+const SHORT_WORDS: [&str; 19] =
+    ["mm", "of", "at", "on", "in", "to", "is", "or", "it", "by", "up", "no", "if", "so", "as", "an", "TF", "GY", "kg"];
 /// What follows the letter a where it is a name and no article.
 const NO_NOUNS: [&str; 12] = ["of", "and", "or", "from", "to", "at", "is", "in", "on", "with", "forward", "by"];
 const OPERATORS: &str = "=<>≤≥+−-±∓·×∈∋∪∩→";
@@ -201,11 +199,6 @@ impl Reader<'_> {
             '×' if self.follows_operand() && self.tokens.last().is_some_and(|last| last.text == "]") => {
                 self.single(Kind::Lower, "×", c.len_utf8());
             }
-            '[' if self.unit().is_some() => {
-                let unit = self.unit().unwrap_or_default();
-                let length = unit.len();
-                self.single(Kind::Word, unit, length);
-            }
             '(' | '[' | '{' => self.single(Kind::Open, c, 1),
             ')' | ']' | '}' => self.single(Kind::Close, c, 1),
             '|' => self.single(Kind::Bar, c, 1),
@@ -298,15 +291,6 @@ impl Reader<'_> {
         }
         self.push(kind, text, start);
         Ok(())
-    }
-
-    /// `[g mm]` where only units stand in the bracket, and one of them is no single letter.
-    fn unit(&self) -> Option<String> {
-        let inner = self.rest().strip_prefix('[')?.split(']').next()?;
-        let mut names = inner.split([' ', '/']);
-        let known = names.clone().all(|name| UNITS.contains(&name));
-        (known && (names.any(|name| name.len() > 1))).then(|| format!("[{inner}]"))
-            .or_else(|| (inner == "kg").then(|| "[kg]".to_owned()))
     }
 
     /// A run of letters: a word, a function, a differential, or letters one by one.
