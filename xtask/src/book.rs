@@ -9,6 +9,8 @@ mod mathml;
 mod pages;
 mod tokens;
 
+pub use block::is_equation_number;
+
 use crate::command::{cargo, exists, quiet};
 use crate::workspace::{files, root, scratch, target};
 use anyhow::{Context, Result};
@@ -106,13 +108,18 @@ mod tests {
     #[test]
     fn references_to_equations_lead_to_them() {
         let pages = pages().unwrap();
-        let equations = pages::equations(pages.iter().map(|(page, text)| (page.as_str(), text.as_str()))).unwrap();
+        let equations =
+            pages::equations(pages.iter().map(|(page, text)| (page.as_str(), text.as_str()))).unwrap();
         assert!(equations.len() > 250, "{} equations: the book has more than 250", equations.len());
         for (page, text) in &pages {
             let set = pages::typeset(page, text, &equations).unwrap();
             let own = equations.iter().filter(|(_, of)| *of == page);
             for (number, _) in own {
-                assert_eq!(set.matches(&format!("id=\"{}\"", block::anchor(number))).count(), 1, "{page}: ({number})");
+                assert_eq!(
+                    set.matches(&format!("id=\"{}\"", block::anchor(number))).count(),
+                    1,
+                    "{page}: ({number})"
+                );
             }
         }
     }
@@ -121,7 +128,8 @@ mod tests {
     fn shown(html: &str) -> String {
         let document = roxmltree::Document::parse(html).unwrap_or_else(|error| panic!("{error}: {html}"));
         let table = document.descendants().find(|node| node.has_tag_name("table")).unwrap();
-        let texts: Vec<&str> = table.descendants().filter(|node| node.is_text()).filter_map(|node| node.text()).collect();
+        let texts: Vec<&str> =
+            table.descendants().filter(|node| node.is_text()).filter_map(|node| node.text()).collect();
         unbracketed(&texts.join(" "))
     }
 
@@ -129,7 +137,8 @@ mod tests {
     fn plain(text: &str) -> String {
         let mut text = text.replace('`', " ");
         // Separators of a matrix are its rows and columns.
-        while let Some(semicolon) = text.match_indices(';').map(|(at, _)| at).find(|at| in_matrix(&text, *at)) {
+        while let Some(semicolon) = text.match_indices(';').map(|(at, _)| at).find(|at| in_matrix(&text, *at))
+        {
             let open = text[..semicolon].rfind('[').unwrap();
             let close = semicolon + text[semicolon..].find(']').unwrap();
             let inside = text[open..close].replace([';', ','], " ");
@@ -180,13 +189,65 @@ mod tests {
     }
 
     const REPLACED: [(&str, &str); 59] = [
-        ("SUM", "∑"), ("Σ", "∑"), ("PRODUCT", "∏"), ("INTEGRAL", "∫"), ("sqrt(", "("), ("√", ""), ("½", "1 2"), ("..", "…"),
-        ("<=", "≤"), (">=", "≥"), ("->", "→"), ("''", "″"), ("\u{308}", "¨"), ("\u{307}", "˙"), ("\u{304}", "¯"),
-        ("ẅ", "w¨"), ("ẍ", "x¨"), ("ÿ", "y¨"), ("ẇ", "w˙"), ("Ẇ", "W˙"), ("ẏ", "y˙"), ("ṁ", "m˙"), ("ṡ", "s˙"), ("ḋ", "d˙"), ("ė", "e˙"),
-        ("¹", "1"), ("²", "2"), ("³", "3"), ("⁴", "4"), ("⁵", "5"), ("⁶", "6"), ("⁸", "8"), ("⁻", "−"), ("ᵀ", "T"), ("ᵏ", "k"), ("ᵖ", "p"),
-        ("₀", "0"), ("₁", "1"), ("₂", "2"), ("₃", "3"), ("₊", "+"), ("₋", "−"), ("ₙ", "n"), ("ₘ", "m"),
-        ("'", "′"), ("-", "−"), ("⁰", "0"), ("⁷", "7"), ("⁹", "9"), ("⁺", "+"), ("ⁿ", "n"), ("ᴴ", "H"), ("₄", "4"), ("₅", "5"), ("₆", "6"), ("₇", "7"),
-        ("ₖ", "k"), ("ᵢ", "i"), ("ⱼ", "j"),
+        ("SUM", "∑"),
+        ("Σ", "∑"),
+        ("PRODUCT", "∏"),
+        ("INTEGRAL", "∫"),
+        ("sqrt(", "("),
+        ("√", ""),
+        ("½", "1 2"),
+        ("..", "…"),
+        ("<=", "≤"),
+        (">=", "≥"),
+        ("->", "→"),
+        ("''", "″"),
+        ("\u{308}", "¨"),
+        ("\u{307}", "˙"),
+        ("\u{304}", "¯"),
+        ("ẅ", "w¨"),
+        ("ẍ", "x¨"),
+        ("ÿ", "y¨"),
+        ("ẇ", "w˙"),
+        ("Ẇ", "W˙"),
+        ("ẏ", "y˙"),
+        ("ṁ", "m˙"),
+        ("ṡ", "s˙"),
+        ("ḋ", "d˙"),
+        ("ė", "e˙"),
+        ("¹", "1"),
+        ("²", "2"),
+        ("³", "3"),
+        ("⁴", "4"),
+        ("⁵", "5"),
+        ("⁶", "6"),
+        ("⁸", "8"),
+        ("⁻", "−"),
+        ("ᵀ", "T"),
+        ("ᵏ", "k"),
+        ("ᵖ", "p"),
+        ("₀", "0"),
+        ("₁", "1"),
+        ("₂", "2"),
+        ("₃", "3"),
+        ("₊", "+"),
+        ("₋", "−"),
+        ("ₙ", "n"),
+        ("ₘ", "m"),
+        ("'", "′"),
+        ("-", "−"),
+        ("⁰", "0"),
+        ("⁷", "7"),
+        ("⁹", "9"),
+        ("⁺", "+"),
+        ("ⁿ", "n"),
+        ("ᴴ", "H"),
+        ("₄", "4"),
+        ("₅", "5"),
+        ("₆", "6"),
+        ("₇", "7"),
+        ("ₖ", "k"),
+        ("ᵢ", "i"),
+        ("ⱼ", "j"),
     ];
 
     /// Without spaces, brackets, slashes and marks of scripts.

@@ -1,8 +1,8 @@
 //! A block of formulas as a table: what stands below one another in the text does so on the page, numbers at the right.
 
-use crate::book::expression::{Bracket, Item, Node, expression};
-use crate::book::mathml::{escape, math};
-use crate::book::tokens::is_accent;
+use super::expression::{Bracket, Item, Node, expression};
+use super::mathml::{escape, math};
+use super::tokens::is_accent;
 use anyhow::{Context, Result};
 use std::collections::BTreeMap;
 
@@ -42,12 +42,17 @@ pub fn html(text: &str, link: &dyn Fn(&str) -> Option<String>) -> Result<String,
     ))
 }
 
+/// `43.2`: chapter and number.
+pub fn is_equation_number(text: &str) -> bool {
+    text.split_once('.').is_some_and(|(chapter, number)| {
+        let digits = |part: &str| (1..=2).contains(&part.len()) && part.bytes().all(|b| b.is_ascii_digit());
+        digits(chapter) && digits(number)
+    })
+}
+
 /// `43.2` of `(43.2)`.
 pub fn equation_number(text: &str) -> Option<&str> {
-    let number = text.strip_prefix('(')?.strip_suffix(')')?;
-    let (chapter, rest) = number.split_once('.')?;
-    let digits = |part: &str| (1..=2).contains(&part.len()) && part.bytes().all(|b| b.is_ascii_digit());
-    (digits(chapter) && digits(rest)).then_some(number)
+    text.strip_prefix('(')?.strip_suffix(')').filter(|number| is_equation_number(number))
 }
 
 /// Where an equation stands within its page.
@@ -116,11 +121,14 @@ fn stops(lines: &[(Line, usize)]) -> Vec<Stop> {
     let mut stops = BTreeMap::from([(0, false)]);
     let begins = |line: &Line, column: usize| line.pieces.iter().any(|piece| piece.column == column);
     let relates = |line: &Line, column: usize| {
-        line.pieces.iter().any(|piece| split(piece, column).is_some_and(|(_, behind)| is_relation(&behind.text)))
+        line.pieces
+            .iter()
+            .any(|piece| split(piece, column).is_some_and(|(_, behind)| is_relation(&behind.text)))
     };
     for (index, (line, _)) in lines.iter().enumerate() {
         for piece in &line.pieces {
-            let mut others = lines.iter().enumerate().filter(|(other, _)| *other != index).map(|(_, (line, _))| line);
+            let mut others =
+                lines.iter().enumerate().filter(|(other, _)| *other != index).map(|(_, (line, _))| line);
             let relation = is_relation(&piece.text);
             if others.any(|other| begins(other, piece.column) || relation && relates(other, piece.column)) {
                 *stops.entry(piece.column).or_default() |= relation;
@@ -154,8 +162,8 @@ fn joined(pieces: &[Piece], stops: &[Stop]) -> Vec<Piece> {
     let mut todo: Vec<Piece> = pieces.iter().rev().cloned().collect();
     while let Some(mut piece) = todo.pop() {
         let mut relations = stops.iter().filter(|stop| stop.relation);
-        let parted =
-            relations.find_map(|stop| split(&piece, stop.column).filter(|(_, behind)| is_relation(&behind.text)));
+        let parted = relations
+            .find_map(|stop| split(&piece, stop.column).filter(|(_, behind)| is_relation(&behind.text)));
         if let Some((front, behind)) = parted {
             todo.push(behind);
             piece = front;
@@ -198,7 +206,8 @@ fn row(line: &Line, stops: &[Stop], link: &dyn Fn(&str) -> Option<String>) -> Re
         if line.apart {
             classes.push("apart");
         }
-        let class = if classes.is_empty() { String::new() } else { format!(" class=\"{}\"", classes.join(" ")) };
+        let class =
+            if classes.is_empty() { String::new() } else { format!(" class=\"{}\"", classes.join(" ")) };
         // The last one has all that is left before the number.
         let end = cells.get(index + 1).map_or("-2".to_owned(), |(next, _)| (next + 1).to_string());
         let content = held.iter().map(|piece| flow(&piece.text, link)).collect::<Result<Vec<_>>>()?;
@@ -225,14 +234,23 @@ fn flow(text: &str, link: &dyn Fn(&str) -> Option<String>) -> Result<String> {
             Node::Word(word) if !is_quantity(&items, index) => Some(escape(word)),
             Node::Code(code) => Some(format!("<code>{}</code>", escape(code))),
             // A sign between words is one of the text; so is the colon that ends a label.
-            Node::Punctuation(sign) if after_words && formula.is_empty() || sign == ":" || matches!(behind, Some(Node::Word(_))) => {
+            Node::Punctuation(sign)
+                if after_words && formula.is_empty()
+                    || sign == ":"
+                    || matches!(behind, Some(Node::Word(_))) =>
+            {
                 Some(sign.clone())
             }
             // "(four-stroke)"
-            Node::Group(Bracket::Round, inner) if inner.iter().all(|item| matches!(item.node, Node::Word(_) | Node::Punctuation(_))) => {
+            Node::Group(Bracket::Round, inner)
+                if inner.iter().all(|item| matches!(item.node, Node::Word(_) | Node::Punctuation(_))) =>
+            {
                 Some(escape(&text[item.at.clone()]))
             }
-            Node::Slash if after_words && formula.is_empty() || item.spaced && matches!(behind, Some(Node::Word(_))) => {
+            Node::Slash
+                if after_words && formula.is_empty()
+                    || item.spaced && matches!(behind, Some(Node::Word(_))) =>
+            {
                 Some("/".to_owned())
             }
             _ => reference.map(|number| {
@@ -269,7 +287,8 @@ fn is_quantity(items: &[Item], index: usize) -> bool {
     let word = |item: Option<&Item>| item.is_some_and(|item| matches!(item.node, Node::Word(_)));
     let before = index.checked_sub(1);
     let behind = items.get(index + 1);
-    before.is_some_and(|before| matches!(items[before].node, Node::Slash | Node::Operator(_))) && !word(behind)
+    before.is_some_and(|before| matches!(items[before].node, Node::Slash | Node::Operator(_)))
+        && !word(behind)
         || is_infix(items, index + 1) && !word(before.and_then(|before| items.get(before)))
 }
 
@@ -288,5 +307,85 @@ fn put(html: &mut String, formula: &mut Vec<Item>, text: &str) {
     if let (Some(first), Some(last)) = (formula.first(), formula.last()) {
         *html += &math(formula, &text[first.at.start..last.at.end]);
         formula.clear();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The cells of every line, as their columns and their text without tags.
+    fn cells(text: &str) -> Vec<Vec<(String, String)>> {
+        let html = html(text, &|_| None).unwrap();
+        let document = roxmltree::Document::parse(&html).unwrap();
+        let rows = document.descendants().filter(|node| node.has_tag_name("tr"));
+        let cell = |node: roxmltree::Node<'_, '_>| {
+            let text =
+                node.descendants().filter(|n| n.is_text()).filter_map(|n| n.text()).collect::<String>();
+            (node.attribute("style").unwrap_or_default().replace("grid-column: ", ""), text)
+        };
+        rows.map(|row| row.children().map(cell).collect()).collect()
+    }
+
+    fn cell(columns: &str, text: &str) -> (String, String) {
+        (columns.to_owned(), text.to_owned())
+    }
+
+    #[test]
+    fn what_stands_in_one_column_stands_so_on_the_page() {
+        let lines = cells("flat     U = a      (1.1)\nround    V = b\n         W = c      (1.2)\n");
+        assert_eq!(lines[0], [cell("1 / 2", "flat"), cell("2 / -2", "U=a"), cell("", "(1.1)")]);
+        assert_eq!(lines[1], [cell("1 / 2", "round"), cell("2 / -2", "V=b"), cell("", "")]);
+        assert_eq!(lines[2], [cell("2 / -2", "W=c"), cell("", "(1.2)")]);
+    }
+
+    #[test]
+    fn relations_below_one_another_share_a_column() {
+        let lines = cells("A    = b + c\nI_yy = d\n       + e\n");
+        assert_eq!(lines[0][..2], [cell("1 / 2", "A"), cell("2 / -2", "=b+c")]);
+        assert_eq!(lines[1][..2], [cell("1 / 2", "Iyy"), cell("2 / -2", "=d")]);
+        assert_eq!(lines[2][..1], [cell("2 / -2", "+e")]);
+    }
+
+    #[test]
+    fn gaps_in_brackets_and_beside_relations_part_nothing() {
+        let html = html("U = (a   + b)      V  ≤  c\n", &|_| None).unwrap();
+        assert_eq!(html.matches("<span").count(), 2, "{html}");
+        assert_eq!(html.matches("<math").count(), 2, "{html}");
+    }
+
+    #[test]
+    fn words_are_text_and_names_of_quantities_are_in_the_formula() {
+        let of = |formula| flow(formula, &|_| Some("to".to_owned())).unwrap();
+        let texts = of("force on mount j = K q");
+        assert!(
+            texts.starts_with("<span>force on mount <math") && texts.contains("alttext=\"j = K q\""),
+            "{texts}"
+        );
+        assert!(of("stroke = a − b").starts_with("<span><math"));
+        assert_eq!(
+            of("bending at the pin's fillet"),
+            "<span class=\"text\">bending at the pin's fillet</span>"
+        );
+        assert!(of("k (four-stroke)").ends_with("</math> (four-stroke)</span>"));
+        assert!(of("by M of (51.6)").ends_with("of <a href=\"to\">(51.6)</a></span>"));
+        assert!(of("A = `head_area` · B").contains("<code>head_area</code>"));
+        assert!(of("co-energy −(p − q)").contains("co-energy <math"));
+    }
+
+    #[test]
+    fn the_plain_text_stays_beside_the_formula() {
+        let html = html("a < b      (1.2)\nc = d\n", &|_| None).unwrap();
+        assert!(html.contains("<pre>a &lt; b      (1.2)&#10;c = d</pre>"), "{html}");
+        assert!(html.contains("alttext=\"a &lt; b\""), "{html}");
+        assert!(html.contains("<a id=\"eq-1-2\" href=\"#eq-1-2\">(1.2)</a>"), "{html}");
+        assert!(!html.contains('\n'), "a block of HTML in Markdown ends at an empty line");
+    }
+
+    #[test]
+    fn a_mistake_names_its_line() {
+        let (line, error) = html("a = b\nc = (d\n", &|_| None).unwrap_err();
+        assert_eq!(line, 2);
+        assert!(format!("{error:#}").contains("cannot typeset \"c = (d\": \"(\" is not closed"), "{error:#}");
     }
 }

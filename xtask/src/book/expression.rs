@@ -1,6 +1,6 @@
 //! What a formula says: tokens to operands with their scripts, brackets, sums and roots.
 
-use crate::book::tokens::{Kind, Token, tokens};
+use super::tokens::{Kind, Token, tokens};
 use anyhow::{Context, Result, bail};
 use std::ops::Range;
 
@@ -235,7 +235,10 @@ impl Parser<'_> {
     }
 
     fn take(&mut self) -> Result<Token> {
-        let token = self.peek().cloned().with_context(|| format!("something is missing at the end of {:?}", self.formula))?;
+        let token = self
+            .peek()
+            .cloned()
+            .with_context(|| format!("something is missing at the end of {:?}", self.formula))?;
         self.next += 1;
         Ok(token)
     }
@@ -267,14 +270,19 @@ impl Parser<'_> {
             Kind::Open | Kind::Bar => self.group(token),
             Kind::Letter => Ok(Node::Letter(token.text.clone())),
             Kind::Number => Ok(Node::Number(token.text.clone())),
-            _ => bail!("a root of {:?} in {:?}: it needs a letter, a number or a bracket", token.text, self.formula),
+            _ => bail!(
+                "a root of {:?} in {:?}: it needs a letter, a number or a bracket",
+                token.text,
+                self.formula
+            ),
         }
     }
 
     fn group(&mut self, open: &Token) -> Result<Node> {
         let bracket = Bracket::opened_by(&open.text);
         let (_, close) = bracket.signs();
-        let (stop, kind) = if bracket == Bracket::Bar { (Stop::Bar, Kind::Bar) } else { (Stop::Close, Kind::Close) };
+        let (stop, kind) =
+            if bracket == Bracket::Bar { (Stop::Bar, Kind::Bar) } else { (Stop::Close, Kind::Close) };
         let items = self.sequence(stop)?;
         if !self.is_next(kind, close) {
             bail!("{:?} is not closed in {:?}", open.text, &self.formula[open.at.start..]);
@@ -282,7 +290,12 @@ impl Parser<'_> {
         self.next += 1;
         let rows = items.iter().any(|item| item.node == Node::Punctuation(";".to_owned()));
         if bracket == Bracket::Square && rows {
-            let row = |items: &[Item]| items.split(|item| item.node == Node::Punctuation(",".to_owned())).map(<[Item]>::to_vec).collect();
+            let row = |items: &[Item]| {
+                items
+                    .split(|item| item.node == Node::Punctuation(",".to_owned()))
+                    .map(<[Item]>::to_vec)
+                    .collect()
+            };
             let rows = items.split(|item| item.node == Node::Punctuation(";".to_owned())).map(row).collect();
             return Ok(Node::Matrix(rows));
         }
@@ -386,8 +399,9 @@ fn indices(text: &str, at: Range<usize>) -> Vec<Item> {
     while let Some(first) = rest.chars().next() {
         let digits = first.is_ascii_digit();
         let letters = first.is_alphabetic() && first != 'ᵀ';
-        let same =
-            |c: char| if digits { c.is_ascii_digit() || c == '.' } else { letters && c.is_alphabetic() && c != 'ᵀ' };
+        let same = |c: char| {
+            if digits { c.is_ascii_digit() || c == '.' } else { letters && c.is_alphabetic() && c != 'ᵀ' }
+        };
         let length = rest.find(|c| !same(c)).unwrap_or(rest.len()).max(first.len_utf8());
         let (run, after) = rest.split_at(length);
         rest = after;

@@ -3,7 +3,7 @@
 //! A slash without spaces binds closer than a product with spaces: `a b/c d` is a (b/c) d. Factors before it may stand in the numerator, as
 //! a (b/c) = (a b)/c; factors behind it never in the denominator. A slash with spaces takes all of the product before it.
 
-use crate::book::expression::{Bracket, Item, Node};
+use super::expression::{Bracket, Item, Node};
 
 /// The items with their fractions.
 pub fn stack(items: &[Item]) -> Vec<Item> {
@@ -35,7 +35,9 @@ fn bounds(before: &[Item], behind: &[Item], spaced: bool) -> Option<(usize, usiz
     let is_derivative = is_differential(&behind[0].node);
     let start = numerator(before, &behind[..end], spaced, is_derivative)?;
     let words = |item: Option<&Item>| item.is_some_and(|item| matches!(item.node, Node::Word(_)));
-    let text = |side: &[Item], beyond: Option<&Item>| side.iter().any(|item| matches!(item.node, Node::Word(_))) && words(beyond);
+    let text = |side: &[Item], beyond: Option<&Item>| {
+        side.iter().any(|item| matches!(item.node, Node::Word(_))) && words(beyond)
+    };
     let beyond = start.checked_sub(1).and_then(|index| before.get(index));
     (!text(&before[start..], beyond) && !text(&behind[..end], behind.get(end))).then_some((start, end))
 }
@@ -107,7 +109,10 @@ fn numerator(items: &[Item], below: &[Item], spaced: bool, is_derivative: bool) 
     }
     while let Some(item) = before(start) {
         let plain = item.node.is_operand()
-            && !matches!(item.node, Node::Word(_) | Node::Code(_) | Node::Fraction(..) | Node::Differential(..));
+            && !matches!(
+                item.node,
+                Node::Word(_) | Node::Code(_) | Node::Fraction(..) | Node::Differential(..)
+            );
         if item.node.is_function() && !spaced {
             // `sin a/2`: of the angle or of the sine?
             return None;
@@ -151,8 +156,8 @@ fn without_brackets(items: Vec<Item>) -> Vec<Item> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::expression::expression;
     use super::*;
-    use crate::book::expression::expression;
 
     /// The formula with `{numerator|denominator}` for what is stacked.
     fn stacked(formula: &str) -> String {
@@ -196,7 +201,15 @@ mod tests {
 
     #[test]
     fn what_is_in_doubt_keeps_its_slash() {
-        for formula in ["a / b c", "sin a/2", "a/b/c", "a/(b + c)(d + e)", "a/b·c", "number of firings / two", "1 / number of firings"] {
+        for formula in [
+            "a / b c",
+            "sin a/2",
+            "a/b/c",
+            "a/(b + c)(d + e)",
+            "a/b·c",
+            "number of firings / two",
+            "1 / number of firings",
+        ] {
             assert_eq!(stacked(formula), formula);
         }
     }

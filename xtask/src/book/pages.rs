@@ -1,6 +1,6 @@
 //! The pages of the book on their way to mdBook: blocks of formulas are typeset, numbers of equations in the text become links.
 
-use crate::book::block::{anchor, equation_number, html};
+use super::block::{anchor, equation_number, html};
 use anyhow::{Context, Result, anyhow, bail};
 use std::collections::BTreeMap;
 use std::path::{Component, Path};
@@ -22,7 +22,9 @@ pub fn equations<'a>(pages: impl IntoIterator<Item = (&'a str, &'a str)>) -> Res
                 let tail = line.trim_end().rsplit_once("  ").map_or("", |(_, tail)| tail.trim());
                 let Some(number) = equation_number(tail) else { continue };
                 if let Some((other, line)) = equations.insert(number.to_owned(), (page.to_owned(), place)) {
-                    bail!("{page}:{place}: equation ({number}) is there already, at {other}:{line}: give it a number of its own");
+                    bail!(
+                        "{page}:{place}: equation ({number}) is there already, at {other}:{line}: give it a number of its own"
+                    );
                 }
             }
         }
@@ -84,7 +86,9 @@ pub fn typeset(page: &str, text: &str, equations: &Equations) -> Result<String> 
             }
             done += line;
         } else if line.strip_prefix(FENCE) == Some(FORMULA) {
-            let block = blocks.next().with_context(|| format!("{page}:{place}: the block of formulas is not closed"))?;
+            let block = blocks
+                .next()
+                .with_context(|| format!("{page}:{place}: the block of formulas is not closed"))?;
             done += &html(&block.text, &html_link)
                 .map_err(|(within, error)| anyhow!("{page}:{}: {error:#}", block.line + within))?;
             fenced = Some(true);
@@ -117,7 +121,11 @@ fn referenced(line: &str, link: &dyn Fn(&str) -> Option<String>) -> Result<Strin
             done += &rest[..at];
             rest = &rest[at..];
             let length = match linked(rest) {
-                Some(length) => length,
+                Some(length) => {
+                    done += &aimed(&rest[..length], link);
+                    rest = &rest[length..];
+                    continue;
+                }
                 None => match rest.find(')').and_then(|end| equation_number(&rest[..=end])) {
                     Some(number) => {
                         let to = link(number).with_context(|| {
@@ -136,6 +144,18 @@ fn referenced(line: &str, link: &dyn Fn(&str) -> Option<String>) -> Result<Strin
         done += rest;
     }
     Ok(done)
+}
+
+/// A link to a page whose text names an equation leads to the equation.
+fn aimed(written: &str, link: &dyn Fn(&str) -> Option<String>) -> String {
+    let aim = written.rsplit_once("](").and_then(|(text, target)| {
+        let number = text
+            .match_indices('(')
+            .find_map(|(at, _)| equation_number(&text[at..=at + text[at..].find(')')?]))?;
+        let to = link(number).filter(|to| to.starts_with(target.trim_end_matches(')')))?;
+        Some(format!("{text}]({to})"))
+    });
+    aim.unwrap_or_else(|| written.to_owned())
 }
 
 /// Length of `[text](target)` at the beginning of the text.
@@ -157,10 +177,61 @@ fn linked(text: &str) -> Option<usize> {
 
 /// The way from one page to another.
 fn relative(from: &str, to: &str) -> String {
-    let folder: Vec<Component<'_>> = Path::new(from).parent().map(|p| p.components().collect()).unwrap_or_default();
+    let folder: Vec<Component<'_>> =
+        Path::new(from).parent().map(|p| p.components().collect()).unwrap_or_default();
     let target: Vec<Component<'_>> = Path::new(to).components().collect();
     let shared = folder.iter().zip(&target).take_while(|(a, b)| a == b).count();
     let up = vec!["..".to_owned(); folder.len() - shared];
     let down = target[shared..].iter().map(|part| part.as_os_str().to_string_lossy().into_owned());
     up.into_iter().chain(down).collect::<Vec<_>>().join("/")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const PAGE: &str = "theory/mounts.md";
+
+    fn typeset_with(text: &str) -> Result<String> {
+        let other = "```formula\ns = r cos φ      (2.2)\n```\n";
+        let equations = equations([(PAGE, text), ("theory/kinematics.md", other)])?;
+        typeset(PAGE, text, &equations)
+    }
+
+    #[test]
+    fn numbers_of_equations_in_the_text_become_links() {
+        let page = "# Of (9.9)\n\nBy (2.2) and eq. (27.1), `(2.2)`, [eq. (2.2)](kinematics.md).\n\n\
+                    ```formula\nu = v      (27.1)\n```\n\n```text\n(2.2)\n```\n";
+        let set = typeset_with(page).unwrap();
+        let text = "# Of (9.9)\n\nBy ([2.2](kinematics.md#eq-2-2)) and eq. ([27.1](#eq-27-1)), `(2.2)`, \
+                    [eq. (2.2)](kinematics.md#eq-2-2).\n\n<div class=\"formula\">";
+        assert!(set.starts_with(text), "{set}");
+        assert!(set.ends_with("</div>\n\n```text\n(2.2)\n```\n"), "{set}");
+    }
+
+    #[test]
+    fn references_and_numbers_must_fit() {
+        let said = |page: &str| format!("{:#}", typeset_with(page).unwrap_err());
+        assert!(
+            said("a\n\nby (7.5)\n").contains("theory/mounts.md:3: equation (7.5) is nowhere in the book")
+        );
+        assert!(
+            said("```formula\ns = r      (2.2)\n```\n")
+                .contains("theory/kinematics.md:2: equation (2.2) is there already, at theory/mounts.md:2")
+        );
+        assert!(
+            said("a\n\n```formula\nb = c\ns = #\n```\n")
+                .contains("theory/mounts.md:5: cannot typeset \"s = #\": the character '#'")
+        );
+        assert!(
+            said("```formula\nb = c\n").contains("theory/mounts.md:1: the block of formulas is not closed")
+        );
+    }
+
+    #[test]
+    fn the_way_from_page_to_page() {
+        assert_eq!(relative("performance.md", "theory/orders.md"), "theory/orders.md");
+        assert_eq!(relative("guide/torque.md", "theory/orders.md"), "../theory/orders.md");
+        assert_eq!(relative("theory/a.md", "theory/orders.md"), "orders.md");
+    }
 }

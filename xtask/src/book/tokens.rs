@@ -54,41 +54,78 @@ pub struct Token {
 }
 
 const FUNCTIONS: [&str; 25] = [
-    "sin", "cos", "tan", "cot", "asin", "acos", "atan", "arcsin", "arccos", "arctan", "exp", "ln", "log", "min",
-    "max", "Re", "Im", "conj", "tr", "ceil", "lim", "arg", "lcm", "diag", "var",
+    "sin", "cos", "tan", "cot", "asin", "acos", "atan", "arcsin", "arccos", "arctan", "exp", "ln", "log",
+    "min", "max", "Re", "Im", "conj", "tr", "ceil", "lim", "arg", "lcm", "diag", "var",
 ];
 const BIG: [(&str, &str); 3] = [("SUM", "Σ"), ("PRODUCT", "Π"), ("INTEGRAL", "∫")];
 /// Words of two letters; any other two letters are a mistake, so that no product is set as a word.
-const SHORT_WORDS: [&str; 19] =
-    ["mm", "of", "at", "on", "in", "to", "is", "or", "it", "by", "up", "no", "if", "so", "as", "an", "TF", "GY", "kg"];
+const SHORT_WORDS: [&str; 19] = [
+    "mm", "of", "at", "on", "in", "to", "is", "or", "it", "by", "up", "no", "if", "so", "as", "an", "TF",
+    "GY", "kg",
+];
 /// What follows the letter a where it is a name and no article.
-const NO_NOUNS: [&str; 12] = ["of", "and", "or", "from", "to", "at", "is", "in", "on", "with", "forward", "by"];
+const NO_NOUNS: [&str; 12] =
+    ["of", "and", "or", "from", "to", "at", "is", "in", "on", "with", "forward", "by"];
 const OPERATORS: &str = "=<>≤≥+−-±∓·×∈∋∪∩→";
 /// Operators of two characters that are set as one or as they are.
-const PAIRS: [(&str, &str); 7] = [
-    ("<=", "≤"),
-    (">=", "≥"),
-    ("->", "→"),
-    ("+=", "+="),
-    ("−=", "−="),
-    ("-=", "−="),
-    ("..", "…"),
-];
+const PAIRS: [(&str, &str); 7] =
+    [("<=", "≤"), (">=", "≥"), ("->", "→"), ("+=", "+="), ("−=", "−="), ("-=", "−="), ("..", "…")];
 /// Raised and lowered characters and what they stand for.
 const RAISED: [(char, &str); 19] = [
-    ('⁰', "0"), ('¹', "1"), ('²', "2"), ('³', "3"), ('⁴', "4"), ('⁵', "5"), ('⁶', "6"), ('⁷', "7"), ('⁸', "8"),
-    ('⁹', "9"), ('⁺', "+"), ('⁻', "−"), ('ⁿ', "n"), ('ᵀ', "ᵀ"), ('ᵏ', "k"), ('ᵖ', "p"), ('ᴴ', "H"), ('′', "′"),
+    ('⁰', "0"),
+    ('¹', "1"),
+    ('²', "2"),
+    ('³', "3"),
+    ('⁴', "4"),
+    ('⁵', "5"),
+    ('⁶', "6"),
+    ('⁷', "7"),
+    ('⁸', "8"),
+    ('⁹', "9"),
+    ('⁺', "+"),
+    ('⁻', "−"),
+    ('ⁿ', "n"),
+    ('ᵀ', "ᵀ"),
+    ('ᵏ', "k"),
+    ('ᵖ', "p"),
+    ('ᴴ', "H"),
+    ('′', "′"),
     ('″', "″"),
 ];
 const LOWERED: [(char, &str); 18] = [
-    ('₀', "0"), ('₁', "1"), ('₂', "2"), ('₃', "3"), ('₄', "4"), ('₅', "5"), ('₆', "6"), ('₇', "7"), ('₈', "8"),
-    ('₉', "9"), ('₊', "+"), ('₋', "−"), ('ₙ', "n"), ('ₘ', "m"), ('ₖ', "k"), ('ₚ', "p"), ('ᵢ', "i"), ('ⱼ', "j"),
+    ('₀', "0"),
+    ('₁', "1"),
+    ('₂', "2"),
+    ('₃', "3"),
+    ('₄', "4"),
+    ('₅', "5"),
+    ('₆', "6"),
+    ('₇', "7"),
+    ('₈', "8"),
+    ('₉', "9"),
+    ('₊', "+"),
+    ('₋', "−"),
+    ('ₙ', "n"),
+    ('ₘ', "m"),
+    ('ₖ', "k"),
+    ('ₚ', "p"),
+    ('ᵢ', "i"),
+    ('ⱼ', "j"),
 ];
 /// Letters with an accent in one character, and the two that they are made of.
 const ACCENTED: [(char, &str); 12] = [
-    ('ẅ', "w\u{308}"), ('ẍ', "x\u{308}"), ('ÿ', "y\u{308}"), ('ẇ', "w\u{307}"), ('Ẇ', "W\u{307}"),
-    ('ẋ', "x\u{307}"), ('ẏ', "y\u{307}"), ('ṁ', "m\u{307}"), ('ṡ', "s\u{307}"), ('ḋ', "d\u{307}"),
-    ('ė', "e\u{307}"), ('ż', "z\u{307}"),
+    ('ẅ', "w\u{308}"),
+    ('ẍ', "x\u{308}"),
+    ('ÿ', "y\u{308}"),
+    ('ẇ', "w\u{307}"),
+    ('Ẇ', "W\u{307}"),
+    ('ẋ', "x\u{307}"),
+    ('ẏ', "y\u{307}"),
+    ('ṁ', "m\u{307}"),
+    ('ṡ', "s\u{307}"),
+    ('ḋ', "d\u{307}"),
+    ('ė', "e\u{307}"),
+    ('ż', "z\u{307}"),
 ];
 
 /// The other side of a table of characters.
@@ -98,7 +135,9 @@ fn found(table: &[(char, &'static str)], c: char) -> Option<&'static str> {
 
 /// Letters of names: Latin and Greek without the signs of sums.
 fn is_letter(c: char) -> bool {
-    c.is_ascii_alphabetic() || (matches!(c, 'α'..='ω' | 'Α'..='Ω') && c != 'Σ') || found(&ACCENTED, c).is_some()
+    c.is_ascii_alphabetic()
+        || (matches!(c, 'α'..='ω' | 'Α'..='Ω') && c != 'Σ')
+        || found(&ACCENTED, c).is_some()
 }
 
 /// Marks that stand over the letter before them.
@@ -207,19 +246,24 @@ impl Reader<'_> {
             '½' => self.single(Kind::Number, c, c.len_utf8()),
             '…' | '∇' => self.single(Kind::Letter, c, c.len_utf8()),
             '∂' => {
-                let attached = self.rest()[c.len_utf8()..].starts_with(|c| is_letter(c) || c == '(' || c == '|');
+                let attached =
+                    self.rest()[c.len_utf8()..].starts_with(|c| is_letter(c) || c == '(' || c == '|');
                 self.single(if attached { Kind::Differential } else { Kind::Letter }, c, c.len_utf8());
             }
             '√' => self.single(Kind::Root, c, c.len_utf8()),
             'Σ' | '∫' | '∬' | '∮' => self.single(Kind::Big, c, c.len_utf8()),
             '°' | '%' => self.single(Kind::Word, c, c.len_utf8()),
             '`' => {
-                let Some(end) = self.rest()[1..].find('`') else { bail!("the ` before {:?} is not closed", self.rest()) };
+                let Some(end) = self.rest()[1..].find('`') else {
+                    bail!("the ` before {:?} is not closed", self.rest())
+                };
                 let code = self.rest()[1..=end].to_owned();
                 self.single(Kind::Code, code, end + 2);
             }
             // "ψ-rate"
-            '-' if self.follows_operand() && self.rest()[1..].bytes().take(2).all(|b| b.is_ascii_lowercase()) => {
+            '-' if self.follows_operand()
+                && self.rest()[1..].bytes().take(2).all(|b| b.is_ascii_lowercase()) =>
+            {
                 self.position += 1;
                 let word = self.take(|c| c.is_ascii_lowercase());
                 self.push(Kind::Word, format!("-{word}"), start);
@@ -335,11 +379,15 @@ impl Reader<'_> {
             word += &self.take(|c| c.is_ascii_alphabetic());
         }
         if word.len() == 2 && !SHORT_WORDS.contains(&word.as_str()) {
-            bail!("{word:?} is neither a word nor a function: letters that are multiplied have a space between them");
+            bail!(
+                "{word:?} is neither a word nor a function: letters that are multiplied have a space between them"
+            );
         }
         // The apostrophe of "axis' point" is no derivative.
         let mut next = self.rest().chars();
-        if next.next() == Some('\'') && next.next() == Some(' ') && next.next().is_some_and(|c| c.is_ascii_lowercase())
+        if next.next() == Some('\'')
+            && next.next() == Some(' ')
+            && next.next().is_some_and(|c| c.is_ascii_lowercase())
             && next.next().is_some_and(|c| c.is_ascii_lowercase())
         {
             word.push('\'');
