@@ -221,7 +221,7 @@ fn row(line: &Line, stops: &[Stop], link: &dyn Fn(&str) -> Option<String>) -> Re
 }
 
 /// A piece as words with formulas between them, so that long text breaks as text does.
-fn flow(text: &str, link: &dyn Fn(&str) -> Option<String>) -> Result<String> {
+pub fn flow(text: &str, link: &dyn Fn(&str) -> Option<String>) -> Result<String> {
     let items = expression(text).with_context(|| format!("cannot typeset {text:?}"))?;
     let mut html = String::new();
     let mut formula: Vec<Item> = Vec::new();

@@ -1,6 +1,6 @@
 //! The pages of the book on their way to mdBook: blocks of formulas are typeset, numbers of equations in the text become links.
 
-use super::block::{anchor, equation_number, html};
+use super::block::{anchor, equation_number, flow, html};
 use anyhow::{Context, Result, anyhow, bail};
 use std::collections::BTreeMap;
 use std::path::{Component, Path};
@@ -8,6 +8,9 @@ use std::path::{Component, Path};
 const FENCE: &str = "```";
 /// The language of a fenced block of formulas.
 const FORMULA: &str = "formula";
+
+/// How a table of symbols begins.
+const SYMBOLS: &str = "| symbol |";
 
 /// Every equation's page, as a path within the book with `/`.
 pub type Equations = BTreeMap<String, String>;
@@ -72,8 +75,11 @@ pub fn typeset(page: &str, text: &str, equations: &Equations) -> Result<String> 
     let mut blocks = blocks(text).into_iter();
     let mut done = String::new();
     let mut fenced: Option<bool> = None;
+    let mut of_symbols = false;
     for (index, line) in text.lines().enumerate() {
         let place = index + 1;
+        let (head, row) = (line.starts_with(SYMBOLS), of_symbols && line.starts_with("| "));
+        of_symbols = head || of_symbols && line.starts_with('|');
         if let Some(formulas) = fenced {
             if line.trim_start().starts_with(FENCE) {
                 fenced = None;
@@ -98,11 +104,22 @@ pub fn typeset(page: &str, text: &str, equations: &Equations) -> Result<String> 
         } else if line.starts_with('#') {
             done += line;
         } else {
-            done += &referenced(line, &link).with_context(|| format!("{page}:{place}"))?;
+            let line = referenced(line, &link).with_context(|| format!("{page}:{place}"))?;
+            done +=
+                &if row && !head { symbols(&line).with_context(|| format!("{page}:{place}"))? } else { line };
         }
         done.push('\n');
     }
     Ok(done)
+}
+
+/// A row of a table of symbols with its first cell typeset.
+fn symbols(row: &str) -> Result<String> {
+    let inner = &row[2..];
+    let end = inner.find(" |").context("a row of a table ends with |")?;
+    let set = flow(&inner[..end].replace("\\|", "|"), &|_| None)?;
+    // What Markdown would read as marks of its own.
+    Ok(format!("| {}{}", set.replace('|', "&#124;").replace('*', "&#42;"), &inner[end..]))
 }
 
 /// A line of text with `(43.2)` as a link, outside code and outside what is a link already.
@@ -225,6 +242,25 @@ mod tests {
         );
         assert!(
             said("```formula\nb = c\n").contains("theory/mounts.md:1: the block of formulas is not closed")
+        );
+    }
+
+    #[test]
+    fn symbols_of_tables_are_typeset() {
+        let set =
+            typeset_with("| symbol | unit |\n|---|---|\n| f_x, \\|a\\|, K* | N, `f_x` |\n\n| f_x | N |\n")
+                .unwrap();
+        let rows: Vec<&str> = set.lines().collect();
+        assert_eq!(rows[0], "| symbol | unit |");
+        assert!(
+            rows[2].starts_with("| <span><math") && rows[2].ends_with("</math></span> | N, `f_x` |"),
+            "{set}"
+        );
+        assert!(rows[2].contains("<mo>&#42;</mo>") && rows[2].contains("&#124;</mo><mi>a</mi>"), "{set}");
+        assert_eq!(rows[4], "| f_x | N |");
+        assert!(
+            format!("{:#}", typeset_with("| symbol |\n|---|\n| a# |\n").unwrap_err())
+                .contains("theory/mounts.md:3")
         );
     }
 
