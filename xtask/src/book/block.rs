@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 
 const RELATIONS: &str = "=<>≤≥∈∋→";
 
-/// A piece with more words than this is text with formulas in it, which may break.
+/// A piece with more words than this, or with nothing but words, is text, which may break.
 const TEXT: usize = 4;
 
 /// What a line says up to a gap of two spaces or more.
@@ -266,7 +266,7 @@ pub fn flow(text: &str, link: &dyn Fn(&str) -> Option<String>) -> Result<String>
                 html += if item.spaced && !html.is_empty() && !sign { " " } else { "" };
                 html += &words;
                 after_words = true;
-                count += 1;
+                count += text[item.at.clone()].split_whitespace().count();
             }
             None => {
                 if formula.is_empty() && item.spaced && !html.is_empty() && !is_infix(&items, index) {
@@ -278,7 +278,7 @@ pub fn flow(text: &str, link: &dyn Fn(&str) -> Option<String>) -> Result<String>
         }
     }
     put(&mut html, &mut formula, text);
-    let class = if count > TEXT { " class=\"text\"" } else { "" };
+    let class = if count > TEXT || !html.contains("<math") { " class=\"text\"" } else { "" };
     Ok(format!("<span{class}>{html}</span>"))
 }
 
