@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 const RELATIONS: &str = "=<>≤≥∈∋→";
 
 /// A piece with more words than this, or with nothing but words, is text, which may break.
-const TEXT: usize = 4;
+const TEXT: usize = 3;
 
 /// What a line says up to a gap of two spaces or more.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -241,11 +241,10 @@ pub fn flow(text: &str, link: &dyn Fn(&str) -> Option<String>) -> Result<String>
             {
                 Some(sign.clone())
             }
-            // "(four-stroke)"
-            Node::Group(Bracket::Round, inner)
-                if inner.iter().all(|item| matches!(item.node, Node::Word(_) | Node::Punctuation(_))) =>
-            {
-                Some(escape(&text[item.at.clone()]))
+            // "(four-stroke)", unless it is a factor.
+            Node::Group(Bracket::Round, inner) if is_text(inner) && !behind.is_some_and(is_factor) => {
+                let words = text[item.at.clone()].trim_matches(['(', ')']).trim();
+                Some(escape(&format!("({words})")))
             }
             Node::Slash
                 if after_words && formula.is_empty()
@@ -280,6 +279,16 @@ pub fn flow(text: &str, link: &dyn Fn(&str) -> Option<String>) -> Result<String>
     put(&mut html, &mut formula, text);
     let class = if count > TEXT || !html.contains("<math") { " class=\"text\"" } else { "" };
     Ok(format!("<span{class}>{html}</span>"))
+}
+
+/// Whether only words stand there.
+fn is_text(items: &[Item]) -> bool {
+    items.iter().all(|item| matches!(item.node, Node::Word(_) | Node::Punctuation(_)))
+}
+
+/// Whether it is multiplied with what stands before it.
+fn is_factor(node: &Node) -> bool {
+    node.is_operand() && !matches!(node, Node::Word(_) | Node::Code(_))
 }
 
 /// Whether this word alone is a quantity: a sign of the formula stands right beside it.
@@ -367,7 +376,8 @@ mod tests {
             of("bending at the pin's fillet"),
             "<span class=\"text\">bending at the pin's fillet</span>"
         );
-        assert!(of("k (four-stroke)").ends_with("</math> (four-stroke)</span>"));
+        assert!(of("k ( four-stroke )").ends_with("</math> (four-stroke)</span>"));
+        assert!(of("Σ (its parts) z / U").contains("alttext=\"Σ (its parts) z / U\""));
         assert!(of("by M of (51.6)").ends_with("of <a href=\"to\">(51.6)</a></span>"));
         assert!(of("A = `head_area` · B").contains("<code>head_area</code>"));
         assert!(of("co-energy −(p − q)").contains("co-energy <math"));
