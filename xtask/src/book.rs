@@ -3,13 +3,16 @@
 //! mdBook builds from a copy of `docs`, in which the formulas of the pages are typeset. The pages themselves hold them as plain text.
 
 mod block;
+mod columns;
+mod equation;
 mod expression;
+mod flow;
 mod fractions;
 mod mathml;
 mod pages;
 mod tokens;
 
-pub use block::is_equation_number;
+pub use equation::is_equation_number;
 
 use crate::command::{cargo, exists, quiet};
 use crate::workspace::{files, root, scratch, target};
@@ -116,7 +119,7 @@ mod tests {
             let own = equations.iter().filter(|(_, of)| *of == page);
             for (number, _) in own {
                 assert_eq!(
-                    set.matches(&format!("id=\"{}\"", block::anchor(number))).count(),
+                    set.matches(&format!("id=\"{}\"", equation::anchor(number))).count(),
                     1,
                     "{page}: ({number})"
                 );

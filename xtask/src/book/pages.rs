@@ -1,6 +1,8 @@
 //! The pages of the book on their way to mdBook: blocks of formulas are typeset, numbers of equations in the text become links.
 
-use super::block::{anchor, equation_number, flow, html};
+use super::block::html;
+use super::equation::{anchor, equation_number};
+use super::flow::flow;
 use anyhow::{Context, Result, anyhow, bail};
 use std::collections::BTreeMap;
 use std::path::{Component, Path};
