@@ -4,9 +4,10 @@
 //! master rod) and W the piston pin on its line.
 //!
 //! ```text
-//! J(g) = SUM m_B |P'|^2 + m_A s'^2 - (m_B a^2 + m_A b^2 - I) sigma'^2,    T(g) = -1/2 J'(g) w^2 at constant speed               (50.13)
+//! J(g) = SUM m_A |P'|^2 + m s'^2 - (m_A a^2 + m_B b^2 - I) sigma'^2,    T(g) = -1/2 J'(g) w^2 at constant speed                 (50.13)
 //! ```
-//! primes by the angle g of the own crankshaft; m_B the big end, m_A the small end with the piston, sigma the rod's angle.
+//! primes by the angle g of the own crankshaft; m_A the big end, m_B the small end, m the small end with the piston, sigma the rod's
+//! angle.
 
 use lanchester_model::{Cylinder, Engine, EngineParts, RodJoint};
 use num_complex::Complex64;

@@ -1,5 +1,6 @@
 //! Rules on the written pages: listed, linked, numbered and sourced.
 
+use crate::book::is_equation_number;
 use crate::workspace::{self, root};
 use anyhow::{Context, Result};
 use std::collections::{BTreeMap, BTreeSet};
@@ -163,15 +164,6 @@ fn equation_references(text: &str) -> Vec<(String, usize)> {
     }
     found.dedup();
     found
-}
-
-/// `3.12`: chapter and number.
-fn is_equation_number(text: &str) -> bool {
-    text.split_once('.').is_some_and(|(chapter, number)| {
-        let digits =
-            |part: &str| !part.is_empty() && part.len() <= 2 && part.bytes().all(|b| b.is_ascii_digit());
-        digits(chapter) && digits(number)
-    })
 }
 
 /// `[Louvigny2008]`: a capital, letters, a year, perhaps a letter.
