@@ -19,8 +19,10 @@ const BLOCK: usize = 4;
 const SLICES: usize = 24;
 /// A mode whose eigenvalue is a smaller share of the shift is a motion of the rigid body.
 const RIGID: f64 = 1e-5;
-/// Residual of a mode that is accepted.
+/// Residual of a mode that is accepted, where rounding lets it become so small.
 const WANTED: f64 = 1e-8;
+/// What rounding of a mode's shape and of `K x` leaves, over the size of the products that `K x` is summed from.
+const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
 /// What mainly moves in a mode.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
@@ -49,7 +51,8 @@ pub struct Mode {
     pub kind: ModeKind,
     /// Shares of the kinetic energy: slices along x, along y, turning about z, motion along z; the rest deforms slices.
     pub shares: [f64; 4],
-    /// `|K x - l M x|/|K x|`; of a rigid motion, whose `K x` is rounding, over `s |M x|`.
+    /// `|K x - l M x|/|K x|`; of a rigid motion, whose `K x` is rounding, over `s |M x|`. No more than 1e-8, or than what rounding leaves: thin
+    /// elements have a `K` of large numbers that cancel.
     pub residual: f64,
     /// Displacements of the nodes, of modal mass 1 kg.
     pub shape: Vec<[f64; 3]>,
@@ -283,6 +286,8 @@ pub(crate) fn lanczos(
             continue;
         }
         let mut found = Vec::with_capacity(wanted);
+        // The residual over what is accepted of it.
+        let mut over = 0.0f64;
         for k in 0..wanted {
             let vector = &vectors[(done - 1 - k) * done..(done - k) * done];
             let mut x = vec![0.0; size];
@@ -291,11 +296,13 @@ pub(crate) fn lanczos(
                     *x += share * q;
                 }
             }
-            found.push(checked(stiffness, mass, x, shift));
+            let (mode, least) = checked(stiffness, mass, x, shift);
+            over = over.max(mode.2 / WANTED.max(least));
+            found.push(mode);
         }
-        best = best.min(found.iter().map(|(_, _, residual)| *residual).fold(0.0, f64::max));
-        if best <= WANTED || exhausted {
-            if best > WANTED {
+        best = best.min(over);
+        if best <= 1.0 || exhausted {
+            if best > 1.0 {
                 break;
             }
             found.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -305,19 +312,19 @@ pub(crate) fn lanczos(
     Err(FlexError::NoConvergence {
         what: "the natural modes",
         iterations: columns.len(),
-        residual: best,
+        residual: best * WANTED,
         needed: WANTED,
         hint: "ask for fewer modes at a time",
     })
 }
 
-/// Rayleigh quotient, vector of modal mass one, residual.
+/// Rayleigh quotient, vector of modal mass one, residual; and the least residual that rounding leaves.
 fn checked(
     stiffness: &SymmetricMatrix,
     mass: &SymmetricMatrix,
     mut x: Vec<f64>,
     shift: f64,
-) -> (f64, Vec<f64>, f64) {
+) -> ((f64, Vec<f64>, f64), f64) {
     let (mut kx, mut mx) = (vec![0.0; x.len()], vec![0.0; x.len()]);
     stiffness.multiply(&x, &mut kx);
     mass.multiply(&x, &mut mx);
@@ -327,6 +334,9 @@ fn checked(
     let against =
         if value.abs() < RIGID * shift { shift * crate::sparse::norm(&mx) } else { crate::sparse::norm(&kx) };
     let residual = crate::sparse::norm(&rest) / against;
+    let mut sizes = vec![0.0; x.len()];
+    stiffness.multiply_sizes(&x, &mut sizes);
+    let least = ROUNDING * crate::sparse::norm(&sizes) / against;
     let length = modal.sqrt();
     // The sign is that of the largest component: the same on every machine.
     let largest = x.iter().fold(0.0f64, |best, value| if value.abs() > best.abs() { *value } else { best });
@@ -334,7 +344,7 @@ fn checked(
     for value in &mut x {
         *value *= factor;
     }
-    (value, x, residual)
+    ((value, x, residual), least)
 }
 
 /// Shares of the kinetic energy by slices along z: moving along x, along y, turning about z, motion along z.

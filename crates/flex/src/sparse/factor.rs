@@ -16,14 +16,11 @@ use faer::traits::RealField;
 use faer::{Accum, Conj, Mat, MatMut, Par, Side};
 use serde::Serialize;
 use std::sync::Arc;
-use std::time::Instant;
 
 /// Operations a second of a factor, over those of a product of two matrices: its blocks are smaller.
-const OF_PRODUCT: f64 = 0.5;
+const OF_PRODUCT: f64 = 0.8;
 /// Rows of the matrices of that product.
-const ROWS: usize = 512;
-/// How many products are made; the fastest counts, the first one wakes the threads.
-const PRODUCTS: usize = 4;
+const ROWS: usize = 768;
 
 /// Degree of parallelism that is asked for: bits depend on it, not on the number of threads.
 #[cfg(not(target_arch = "wasm32"))]
@@ -65,15 +62,9 @@ pub struct SolveEstimate {
 }
 
 impl SolveEstimate {
-    /// Time that the factor will take on this machine, from that of a product of two matrices, which is made for it in some milliseconds [s].
-    /// Within a browser there is no clock for it.
-    #[cfg(not(target_arch = "wasm32"))]
-    pub fn seconds(&self) -> f64 {
-        let rate = match self.precision {
-            Precision::Single => product_rate::<f32>(),
-            Precision::Double => product_rate::<f64>(),
-        };
-        self.operations / (OF_PRODUCT * rate)
+    /// Time that the factor will take where a product of matrices makes so many operations a second [s]; [`make_product`] is what to time for it.
+    pub fn seconds(&self, product_rate: f64) -> f64 {
+        self.operations / (OF_PRODUCT * product_rate)
     }
 }
 
@@ -158,20 +149,21 @@ impl FactorPlan {
     }
 }
 
-/// Operations a second of a product of two matrices.
-#[cfg(not(target_arch = "wasm32"))]
-fn product_rate<T: Real>() -> f64 {
+/// Makes a product of two matrices with as many threads as a factor, some milliseconds of work, and returns its operations: whoever times it
+/// knows what a factor will take. The first one also wakes the threads.
+pub fn make_product(precision: Precision) -> f64 {
+    match precision {
+        Precision::Single => product::<f32>(),
+        Precision::Double => product::<f64>(),
+    }
+}
+
+fn product<T: Real>() -> f64 {
     let one = Mat::<T>::from_fn(ROWS, ROWS, |row, column| T::from_double(1.0 / (1 + row + column) as f64));
     let mut product = Mat::<T>::zeros(ROWS, ROWS);
-    let mut least = f64::INFINITY;
-    for _ in 0..PRODUCTS {
-        let start = Instant::now();
-        rayon::scope(|_| {
-            matmul(&mut product, Accum::Replace, &one, &one, T::from_double(1.0), parallel());
-        });
-        least = least.min(start.elapsed().as_secs_f64());
-    }
-    2.0 * (ROWS as f64).powi(3) / least.max(f64::MIN_POSITIVE)
+    rayon::scope(|_| matmul(&mut product, Accum::Replace, &one, &one, T::from_double(1.0), parallel()));
+    std::hint::black_box(product);
+    2.0 * (ROWS as f64).powi(3)
 }
 
 /// Sum over the columns of the square of their length.

@@ -28,16 +28,26 @@ impl SymmetricMatrix {
 
     /// `y = A x`.
     pub fn multiply(&self, x: &[f64], y: &mut [f64]) {
+        self.multiply_of(x, y, |value| value);
+    }
+
+    /// `y = |A| |x|`, of the sizes of all entries: what the sums of `A x` are rounded against.
+    pub fn multiply_sizes(&self, x: &[f64], y: &mut [f64]) {
+        let sizes: Vec<f64> = x.iter().map(|value| value.abs()).collect();
+        self.multiply_of(&sizes, y, f64::abs);
+    }
+
+    fn multiply_of(&self, x: &[f64], y: &mut [f64], of: impl Fn(f64) -> f64) {
         assert_eq!(x.len(), self.size(), "invariant: a vector has as many entries as the matrix has columns");
         y.fill(0.0);
         for column in 0..self.size() {
             let range = self.pattern.starts[column] as usize..self.pattern.starts[column + 1] as usize;
             let (rows, values) = (&self.pattern.rows[range.clone()], &self.values[range]);
-            let mut sum = values[0] * x[column];
+            let mut sum = of(values[0]) * x[column];
             let factor = x[column];
             for (row, value) in rows[1..].iter().zip(&values[1..]) {
-                y[*row as usize] += value * factor;
-                sum += value * x[*row as usize];
+                y[*row as usize] += of(*value) * factor;
+                sum += of(*value) * x[*row as usize];
             }
             y[column] += sum;
         }

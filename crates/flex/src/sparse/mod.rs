@@ -7,7 +7,7 @@ mod order;
 mod solve;
 
 pub use assembly::{DenseTerm, Quantity, Structure};
-pub use factor::{Factor, FactorPlan, Precision, SolveEstimate};
+pub use factor::{Factor, FactorPlan, Precision, SolveEstimate, make_product};
 pub use matrix::{Pattern, SymmetricMatrix};
 pub(crate) use matrix::{dot, norm};
 pub use order::{nested_dissection, postorder};
