@@ -66,6 +66,14 @@ pub enum FlexError {
         /// Which motion.
         motion: String,
     },
+    /// A bay of a crankshaft that cannot be cut out of it.
+    #[error(
+        "no submodel: {what}\nhint: support the crankshaft on its journals, by springs, or at its ends, on a mesh of its body"
+    )]
+    Cut {
+        /// What stands against it.
+        what: &'static str,
+    },
     /// Rings where solutions would have to be added up.
     #[error(
         "rings hold the crankshaft by contact, which depends on the load: this needs a support that is linear\nhint: support it on its journals, by springs, or at its ends"

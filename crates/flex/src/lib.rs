@@ -23,6 +23,7 @@ pub mod reduction;
 pub mod richardson;
 pub mod sparse;
 pub mod statics;
+pub mod submodel;
 pub mod train;
 pub mod vtu;
 

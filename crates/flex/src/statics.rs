@@ -1,6 +1,6 @@
 //! Static solutions: displacement, energy, reactions, stress.
 
-use crate::case::{NodeForce, StaticCase, rigid_motions};
+use crate::case::{Fixed, NodeForce, StaticCase, rigid_motions};
 use crate::eigen::symmetric_eigen;
 use crate::mesh::Mesh;
 use crate::sparse::{
@@ -10,8 +10,8 @@ use crate::{FlexError, element};
 use rayon::prelude::*;
 use serde::Serialize;
 
-/// Loads on all unknowns, and the accelerations that balance them.
-type Loaded = (Vec<f64>, Option<[f64; 6]>);
+/// Displacements that are given and loads, of all unknowns, and the accelerations that balance them.
+type Loaded = (Vec<f64>, Vec<f64>, Option<[f64; 6]>);
 /// Superconvergent points of a kind of element, and the weights of their values at its nodes.
 type Recovery = (Vec<[f64; 3]>, Vec<Vec<f64>>);
 
@@ -153,30 +153,46 @@ impl<'a> StaticSystem<'a> {
     /// # Errors
     /// [`FlexError::NoConvergence`]; [`FlexError::Missing`] where a case needs masses and the first one did not.
     pub fn solve(&mut self, cases: &[&StaticCase]) -> Result<Vec<StaticSolution>, FlexError> {
+        let held = self.support.fixed.clone();
+        self.solve_held(cases, &|_| &held)
+    }
+
+    /// Solves cases that hold the nodes of this system's support, each with displacements of its own.
+    ///
+    /// # Errors
+    /// As [`StaticSystem::solve`].
+    pub(crate) fn solve_moved(&mut self, cases: &[&StaticCase]) -> Result<Vec<StaticSolution>, FlexError> {
+        self.solve_held(cases, &|case| &case.fixed)
+    }
+
+    fn solve_held<'b>(
+        &mut self,
+        cases: &[&'b StaticCase],
+        held: &dyn Fn(&'b StaticCase) -> &'b [Fixed],
+    ) -> Result<Vec<StaticSolution>, FlexError> {
         let size = self.full.size();
-        let mut given = vec![0.0; size];
-        for fixed in &self.support.fixed {
-            given[self.structure.unknown(fixed.node, fixed.axis as usize)] = fixed.value;
-        }
-        let mut drag = vec![0.0; size];
-        if given.iter().any(|value| *value != 0.0) {
-            self.full.multiply(&given, &mut drag);
-        }
         let mut loads = Vec::with_capacity(cases.len());
         let mut sides = Vec::with_capacity(cases.len());
         for case in cases {
             case.check(self.mesh)?;
+            let mut given = vec![0.0; size];
+            for fixed in held(case) {
+                given[self.structure.unknown(fixed.node, fixed.axis as usize)] = fixed.value;
+            }
+            let mut drag = vec![0.0; size];
+            if given.iter().any(|value| *value != 0.0) {
+                self.full.multiply(&given, &mut drag);
+            }
             let (mut load, mut accelerations) = (self.load(case)?, None);
             if self.support.inertia_relief {
                 accelerations = Some(relieve(self.mesh, &self.structure, self.mass()?, &mut load)?);
             }
             let side: Vec<f64> = (0..size).filter(|k| self.kept[*k]).map(|k| load[k] - drag[k]).collect();
             sides.push(side);
-            loads.push((load, accelerations));
+            loads.push((given, load, accelerations));
         }
         let (solutions, report) = self.solver.solve(&sides)?;
-        let solution = |(free, (load, accelerations)): (Vec<f64>, Loaded)| {
-            let mut u = given.clone();
+        let solution = |(free, (mut u, load, accelerations)): (Vec<f64>, Loaded)| {
             let mut values = free.into_iter();
             for k in (0..size).filter(|k| self.kept[*k]) {
                 u[k] = values.next().unwrap_or_default();

@@ -14,6 +14,7 @@ pub(crate) mod request;
 pub(crate) mod rule;
 pub(crate) mod rule_torsion;
 pub(crate) mod run;
+pub(crate) mod submodel;
 pub(crate) mod throws;
 
 pub use converge::{converged_modes, converged_stress};
@@ -30,4 +31,5 @@ pub use request::{
 pub use rule::{CrankRuleError, RuleRequest, crank_rule};
 pub use rule_torsion::{RuleTorsionError, crank_rule_with_torsion};
 pub use run::{crank_modes, static_stress};
+pub use submodel::SubmodelRequest;
 pub use throws::throw_stiffnesses;

@@ -9,6 +9,7 @@ pub(crate) mod modes;
 pub(crate) mod picture;
 pub(crate) mod reduced;
 pub(crate) mod statics;
+pub(crate) mod submodel;
 
 pub use body::{CrankSheet, MeshOrigin, MeshOrigins, StressMaterial};
 pub use convergence::{ConvergedNumber, Convergence, ConvergenceMesh};
@@ -23,3 +24,4 @@ pub use reduced::{REDUCED_VERSION, ReducedCrank, reduced_csv, reduced_text};
 pub use statics::{
     PinForces, STATIC_STRESS_VERSION, StaticStress, StressCase, static_stress_csv, static_stress_text,
 };
+pub use submodel::{StressSubmodel, SubmodelFillet};

@@ -23,6 +23,7 @@ pub enum StressCommand {
                             lanchester stress static four.toml --case 'unit radial'\n  \
                             lanchester stress static four.toml --force '1: -65 kN, 10.7 kN' --support clamped-ends\n  \
                             lanchester stress static four.toml --angle '7 deg' --support rings --ring-thickness '5 mm'\n  \
+                            lanchester stress static four.toml --angle '7 deg' --size '20 mm' --fillet-elements 2 --submodel 2 --submodel-elements 4\n  \
                             lanchester stress static four.toml --size '6 mm' --fillet-elements 8 --format csv > fillets.csv\n  \
                             lanchester stress static four.toml --angle '7 deg' --speed '4000 rpm' --size '12 mm' --fillet-elements 4 --converge"
     )]
@@ -175,6 +176,13 @@ pub struct StaticArguments {
     /// --fillet-elements they are as fine as 220 000 nodes allow.
     #[arg(long)]
     pub converge: bool,
+    /// Mesh what lies between the main journals beside this throw again, with more elements across its fillets, and solve it with the displacements
+    /// of the whole crankshaft on its cuts: the stress of fillets of a long crankshaft, whose whole mesh can have few of them.
+    #[arg(long, value_name = "THROW", value_parser = clap::value_parser!(u32).range(1..))]
+    pub submodel: Option<u32>,
+    /// Elements across the fillets of the submodel, an even number above that of the whole; default 6, or 4 where 6 need more than 220 000 nodes.
+    #[arg(long, value_name = "N", requires = "submodel", value_parser = clap::value_parser!(u32).range(2..=40))]
+    pub submodel_elements: Option<u32>,
     /// Write pictures as SVG files into this folder.
     #[arg(long, value_name = "FOLDER")]
     pub figures: Option<PathBuf>,

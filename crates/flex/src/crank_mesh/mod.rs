@@ -5,6 +5,7 @@
 //! * Triangles become wedges between levels along z: layers within the fillet radius at both sides of a face, growing after.
 //! * The sharp corner at a face is pulled onto the torus of the fillet, and the body with it (eq. 43.9).
 
+mod bay;
 mod chords;
 mod circles;
 mod extrude;
@@ -22,4 +23,4 @@ mod stack;
 mod sweep;
 
 pub use options::CrankMeshOptions;
-pub use sweep::{CrankMesh, FilletPlace, WebPlace, crank_mesh};
+pub use sweep::{CUTS, CrankMesh, FilletPlace, WebPlace, crank_mesh, crank_mesh_of_bay};

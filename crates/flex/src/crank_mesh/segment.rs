@@ -8,6 +8,7 @@ use lanchester_shape::Point;
 /// Points closer than this are at one place [m].
 pub(super) const TINY: f64 = 1e-7;
 
+#[derive(Clone)]
 pub(super) struct Bar {
     pub name: String,
     pub set: String,
@@ -20,6 +21,7 @@ pub(super) struct Bar {
 }
 
 /// Webs between two bars, or at an end of the crankshaft.
+#[derive(Clone)]
 pub(super) struct Stack {
     pub name: String,
     pub faces: [f64; 2],

@@ -1,5 +1,6 @@
 //! From the elements of a crankshaft to its mesh.
 
+use super::bay::bay;
 use super::chords::Chords;
 use super::circles::arrangement;
 use super::extrude::Sweep;
@@ -21,6 +22,9 @@ use lanchester_shape::Point;
 use serde::Serialize;
 use std::collections::HashMap;
 use std::f64::consts::{FRAC_PI_4, PI, TAU};
+
+/// Sets of the end faces of a bay.
+pub const CUTS: [&str; 2] = ["CUT_1", "CUT_2"];
 
 /// A corner between a bar and a web.
 #[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
@@ -74,7 +78,7 @@ pub struct CrankMesh {
     pub corners: Vec<FilletPlace>,
     /// Its webs, along z.
     pub webs: Vec<WebPlace>,
-    /// Mass of the body that is meshed, without fillets; of its nose and flange too, which are not [kg].
+    /// Mass of the body that is meshed, without fillets; of its nose and flange too, which are not; of a bay that of the whole crankshaft [kg].
     pub body_mass: f64,
     /// What of the crankshaft is not meshed, or not as it is.
     pub left_out: Vec<String>,
@@ -87,12 +91,42 @@ pub struct CrankMesh {
 /// (counterweights of another density, and those that reach over a journal or pin along the crank and touch it); [`FlexError::Crowded`] for a
 /// mesh below [`LEAST_JACOBIAN`], for which another number of elements across the fillets is worth a try.
 pub fn crank_mesh(engine: &Engine, index: usize, options: CrankMeshOptions) -> Result<CrankMesh, FlexError> {
+    mesh_of(engine, index, options, None)
+}
+
+/// Meshes the bay of a pin of crankshaft `index`: what lies between the middles of the two main journals beside it, at the place where it is in
+/// the whole crankshaft. Its end faces are the sets [`CUTS`].
+///
+/// # Errors
+/// As [`crank_mesh`]; [`FlexError::Missing`] where there is no such pin.
+pub fn crank_mesh_of_bay(
+    engine: &Engine,
+    index: usize,
+    options: CrankMeshOptions,
+    pin: usize,
+) -> Result<CrankMesh, FlexError> {
+    mesh_of(engine, index, options, Some(pin))
+}
+
+fn mesh_of(
+    engine: &Engine,
+    index: usize,
+    options: CrankMeshOptions,
+    pin: Option<usize>,
+) -> Result<CrankMesh, FlexError> {
     check_options(options)?;
     let (body, mut left_out) = plain_body(engine, index)?;
     let elements = engine
         .crank_elements(index)
         .map_err(|fault| refuse("crankshaft", fault.to_string(), "complete [crank.body] and [crank]"))?;
     let (bars, segments) = segments(&elements, options, &mut left_out)?;
+    let (bars, segments, ends) = match pin {
+        None => (bars, segments, ["FREE_END", "FLYWHEEL"]),
+        Some(pin) => {
+            let (bars, segments) = bay(&bars, &segments, pin)?;
+            (bars, segments, CUTS)
+        }
+    };
     check_fillets(&bars, &segments)?;
     let layers = options.fillet_elements / 2;
     let rings = rings(&bars, layers, options.size);
@@ -167,7 +201,7 @@ pub fn crank_mesh(engine: &Engine, index: usize, options: CrankMeshOptions) -> R
     }
     let mut mesh = std::mem::take(&mut sweep.mesh);
     let webs = webs(&mesh, &bars, &segments);
-    let corners = finish(&mut mesh, &bars, &segments);
+    let corners = finish(&mut mesh, &bars, &segments, ends);
     let quality = quality(&mesh).map_err(|error| match error {
         FlexError::Inverted { element, at, jacobian, needed } => {
             misshapen(&bars, element, at, jacobian, needed)
@@ -332,7 +366,7 @@ fn webs(mesh: &Mesh, bars: &[Bar], segments: &[Segment]) -> Vec<WebPlace> {
 }
 
 /// Pulls corners onto their fillets and names the sets.
-fn finish(mesh: &mut Mesh, bars: &[Bar], segments: &[Segment]) -> Vec<FilletPlace> {
+fn finish(mesh: &mut Mesh, bars: &[Bar], segments: &[Segment], names: [&str; 2]) -> Vec<FilletPlace> {
     let set = |mesh: &Mesh, name: String, is_in: &dyn Fn(&[f64; 3]) -> bool| NodeSet {
         name,
         nodes: mesh.pick(is_in),
@@ -350,8 +384,8 @@ fn finish(mesh: &mut Mesh, bars: &[Bar], segments: &[Segment]) -> Vec<FilletPlac
                 && at[2] < bar.faces[1] - bar.fillets[1] + TINY
         }));
     }
-    sets.push(set(mesh, "FREE_END".to_owned(), &|at| at[2] < ends[0] + TINY));
-    sets.push(set(mesh, "FLYWHEEL".to_owned(), &|at| at[2] > ends[1] - TINY));
+    sets.push(set(mesh, names[0].to_owned(), &|at| at[2] < ends[0] + TINY));
+    sets.push(set(mesh, names[1].to_owned(), &|at| at[2] > ends[1] - TINY));
     mesh.sets = sets;
     let mut corners = Vec::new();
     let mut moved = mesh.nodes.clone();

@@ -19,7 +19,7 @@ pub struct ElementMatrix {
 }
 
 /// Determinant of the Jacobian of a map from the element's own coordinates [m^3], and gradients of the shape functions [1/m].
-pub(super) fn gradients(nodes: &[[f64; 3]], shape: &ShapeValues) -> (f64, [[f64; 3]; 20]) {
+pub(crate) fn gradients(nodes: &[[f64; 3]], shape: &ShapeValues) -> (f64, [[f64; 3]; 20]) {
     let j = jacobian(nodes, shape);
     let cofactor = |a: usize, b: usize| {
         let (a1, a2, b1, b2) = ((a + 1) % 3, (a + 2) % 3, (b + 1) % 3, (b + 2) % 3);

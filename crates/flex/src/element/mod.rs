@@ -7,6 +7,7 @@ mod recovery;
 mod shape_functions;
 
 pub use kind::ElementKind;
+pub(crate) use matrices::gradients;
 pub use matrices::{ElementMatrix, jacobian_determinant, mass_matrix, stiffness_matrix};
 pub use quadrature::{IntegrationPoint, mass_rule, recovery_points, stiffness_rule};
 pub use recovery::{Stress, extrapolation, stress_at};

@@ -3,11 +3,13 @@
 mod blocks;
 mod data;
 mod jacobian;
+mod places;
 mod quality;
 mod surface;
 
 pub use blocks::mapped_block;
 pub use data::{Element, Mesh, NodeSet};
+pub use places::PlaceInMesh;
 pub use quality::{LEAST_JACOBIAN, MeshQuality, quality};
 pub(crate) use surface::face_points;
 pub use surface::{SignedArea, SurfaceFace, signed_areas, surface, surface_areas};

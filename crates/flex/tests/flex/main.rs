@@ -13,4 +13,5 @@ mod own_mesh;
 mod reduction;
 mod rings;
 mod springs;
+mod submodel;
 mod train;

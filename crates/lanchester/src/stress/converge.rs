@@ -131,7 +131,9 @@ pub fn converged_stress(
 ) -> Result<StaticStress, StressError> {
     let Study { meshes: own, note } = Study::of(engine, &request.mesh)?;
     let solve = |mesh: &StressMesh| -> Result<StaticStress, StressError> {
-        let asked = StaticRequest { mesh: mesh.clone(), ..request.clone() };
+        // A submodel is one of the finest mesh.
+        let submodel = request.submodel.filter(|_| *mesh == own[2]);
+        let asked = StaticRequest { mesh: mesh.clone(), submodel, ..request.clone() };
         let mut found = static_stress(engine, traces, &asked, watch)?;
         if *mesh != own[2] {
             // Fields of the coarser meshes are not needed any more.

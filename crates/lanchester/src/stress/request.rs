@@ -3,6 +3,7 @@
 use crate::bearing_films::BearingFilmsError;
 use crate::pressure::error::GasError;
 use crate::stress::mesh::StressMesh;
+use crate::stress::submodel::SubmodelRequest;
 use lanchester_flex::FlexError;
 use lanchester_flex::crank_case::CrankSupport;
 use lanchester_flex::sparse::SolveEstimate;
@@ -45,6 +46,8 @@ pub struct StaticRequest {
     pub speeds: Vec<f64>,
     /// Whether the gas of the file acts.
     pub gas: bool,
+    /// A bay that is solved again on a finer mesh.
+    pub submodel: Option<SubmodelRequest>,
     /// How to solve.
     pub solve: SolveOptions,
 }
@@ -59,6 +62,7 @@ impl Default for StaticRequest {
             load: StressLoad::default(),
             speeds: Vec::new(),
             gas: true,
+            submodel: None,
             solve: SolveOptions::default(),
         }
     }
@@ -195,6 +199,36 @@ pub enum StressError {
     OneMesh {
         /// Its name in the engine file.
         name: String,
+    },
+    /// A submodel of a mesh that is not ours.
+    #[error(
+        "a submodel is cut from a mesh of [crank.body], and {name} of [crank.mesh] is one of another program\nhint: give a size of the elements, which meshes [crank.body] instead"
+    )]
+    SubmodelOfOwn {
+        /// Its name in the engine file.
+        name: String,
+    },
+    /// A submodel that would not be finer.
+    #[error(
+        "a submodel needs more elements across its fillets than the whole crankshaft, which has {whole}; got {asked}\nhint: an even number above {whole}, or fewer for the whole crankshaft"
+    )]
+    CoarseSubmodel {
+        /// Elements across a fillet of the whole.
+        whole: usize,
+        /// What was asked for.
+        asked: usize,
+    },
+    /// No finer mesh of the bay that can be solved in minutes.
+    #[error(
+        "no mesh of the submodel with more than {whole} and up to {usual} elements across its fillets has good elements and no more than {nodes} nodes\nhint: say how many elements its fillets shall have, or give the whole crankshaft fewer"
+    )]
+    NoSubmodel {
+        /// Elements across a fillet of the whole.
+        whole: usize,
+        /// Most that were tried.
+        usual: usize,
+        /// Most nodes.
+        nodes: usize,
     },
     /// A static case that the engine file does not have.
     #[error("no static case of the engine file is called \"{name}\"\nhint: {}", known_cases(.known))]

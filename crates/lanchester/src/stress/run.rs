@@ -7,6 +7,7 @@ use crate::stress::own_mesh::own_mesh_plan;
 use crate::stress::request::{
     ModesRequest, StaticRequest, StressError, StressLoad, StressStage, support_words,
 };
+use crate::stress::submodel::{meshed_bay, submodel};
 use lanchester_flex::Material;
 use lanchester_flex::case::StaticCase;
 use lanchester_flex::crank_case::{BearingSurfaces, CrankLoad, CrankSupport, crank_support};
@@ -38,12 +39,15 @@ pub fn static_stress(
     if sheet.crank.corners.iter().all(|corner| corner.nodes.is_empty()) {
         return Err(StressError::NoFillet { crankshaft: request.mesh.crankshaft + 1 });
     }
+    // Before the whole is solved, so that a bay that cannot be meshed costs nothing.
+    let bay = request.submodel.map(|asked| meshed_bay(engine, request, asked, &sheet)).transpose()?;
     let cases: Vec<CrankLoad> = loads.iter().map(|own| own.load.clone()).collect();
     let estimate = |estimate: &_| watch(StressStage::Factoring(*estimate));
     let solved = solve_crank_watched(&sheet.crank, &request.support, &cases, request.solve, &estimate)?;
     let Some(solve) = solved.first().map(|case| case.solution.report) else {
         return Err(StressError::Missing { what: "load case", number: 1, there: "none".to_owned() });
     };
+    let submodel = bay.map(|bay| submodel(&bay, request, &sheet, &cases, &solved, watch)).transpose()?;
     let cases = loads.into_iter().zip(solved).map(|(own, result)| StressCase {
         name: own.name,
         theta: own.theta,
@@ -84,6 +88,7 @@ pub fn static_stress(
         solve,
         cases: cases.collect(),
         convergence: None,
+        submodel,
         notes,
     })
 }

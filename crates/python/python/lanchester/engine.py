@@ -916,12 +916,15 @@ class Engine:
         crankshaft: int = 0,
         size: Quantity | None = None,
         fillet_elements: int | None = None,
+        submodel: int | None = None,
+        submodel_elements: int | None = None,
         memory: int | None = None,
         double: bool = False,
     ) -> StaticStress:
         """Static stress of the crankshaft by finite elements: every fillet, pin and journal. The file has a section ``[crank.body]``.
 
-        `angle` [rad], else the angles of the largest forces; `size` of the elements [m]; `memory` [byte].
+        `angle` [rad], else the angles of the largest forces; `size` of the elements [m]; `submodel`: index of a throw whose bay, between the main
+        journals beside it, is solved again with more elements across its fillets (`submodel_elements`, else 6 or 4); `memory` [byte].
 
         >>> import lanchester
         >>> try:
@@ -939,6 +942,8 @@ class Engine:
             "crankshaft": crankshaft,
             "size": size,
             "fillet_elements": fillet_elements,
+            "submodel": submodel,
+            "submodel_elements": submodel_elements,
             "memory": memory,
             "double": double,
         }

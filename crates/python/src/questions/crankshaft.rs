@@ -17,8 +17,8 @@ use lanchester::report::{
 };
 use lanchester::{
     CounterweightCheck, CounterweightDesigns, CounterweightRequest, FatigueRequest, ModesRequest,
-    RuleRequest, StaticRequest, StressLoad, StressMesh, check_counterweights, crank_fatigue, crank_modes,
-    crank_rule, design_counterweights, static_stress, with_counterweights,
+    RuleRequest, StaticRequest, StressLoad, StressMesh, SubmodelRequest, check_counterweights, crank_fatigue,
+    crank_modes, crank_rule, design_counterweights, static_stress, with_counterweights,
 };
 use std::sync::Arc;
 
@@ -145,11 +145,25 @@ fn support(options: &Options<'_>, usual: CrankSupport) -> Result<CrankSupport, F
 
 fn read_static(options: &Options<'_>) -> Result<Run, Failure> {
     let mesh = AskedMesh::read(options)?;
+    let elements = options.whole("submodel_elements", 2, 40)?.map(|count| count as usize);
+    let submodel = match (options.whole("submodel", 0, 1000)?, elements) {
+        (Some(throw), fillet_elements) => {
+            Some(SubmodelRequest { throw: throw as usize + 1, fillet_elements })
+        }
+        (None, None) => None,
+        (None, Some(_)) => {
+            return Err(Failure::option(
+                "`submodel_elements` are those of a submodel",
+                "add submodel=0 for the first throw, or leave `submodel_elements` out",
+            ));
+        }
+    };
     let request = StaticRequest {
         support: support(options, CrankSupport::Journals)?,
         load: options.angle("angle")?.map_or(StressLoad::Extremes, StressLoad::Angle),
         speeds: options.speeds("speed")?,
         gas: options.flag("gas")?.unwrap_or(true),
+        submodel,
         solve: solve(options)?,
         ..StaticRequest::default()
     };

@@ -2,6 +2,7 @@
 
 use super::body::CrankSheet;
 use super::convergence::Convergence;
+use super::submodel::StressSubmodel;
 use crate::kit::number;
 use crate::kit::paragraph::push_wrapped;
 use crate::kit::section::Section;
@@ -32,6 +33,8 @@ pub struct StaticStress {
     pub cases: Vec<StressCase>,
     /// With three meshes: what the numbers tend to; the cases are those of the finest.
     pub convergence: Option<Convergence>,
+    /// One bay again, on a finer mesh.
+    pub submodel: Option<StressSubmodel>,
     /// What was assumed and left out.
     pub notes: Vec<String>,
 }
@@ -304,12 +307,15 @@ impl StaticStress {
             .rows(self.figures())
             .paragraphs(self.words())
             .tables(self.convergence.as_ref().map(Convergence::table))
-            .tables([self.cases_table(), self.fillets_table(), self.surfaces_table()])
+            .tables([self.cases_table(), self.fillets_table()])
+            .tables(self.submodel.as_ref().map(StressSubmodel::table))
+            .tables([self.surfaces_table()])
     }
 
     /// Words before the tables.
     pub(crate) fn words(&self) -> Vec<String> {
-        let mut words = vec![format!("Support: {}.", self.support)];
+        let mut words: Vec<String> = self.submodel.iter().filter_map(StressSubmodel::lead).collect();
+        words.push(format!("Support: {}.", self.support));
         words.push(match &self.gas {
             Some(gas) => format!("Gas: {gas}."),
             None => "Gas: none.".to_owned(),
@@ -332,7 +338,9 @@ pub fn static_stress_text(stress: &StaticStress) -> String {
         push_wrapped(&mut out, "", &words);
     }
     let convergence = stress.convergence.as_ref().map(Convergence::table);
-    let tables = [stress.cases_table(), stress.fillets_table(), stress.surfaces_table()];
+    let submodel = stress.submodel.as_ref().map(StressSubmodel::table);
+    let tables = [stress.cases_table(), stress.fillets_table()];
+    let tables = tables.into_iter().chain(submodel).chain([stress.surfaces_table()]);
     for table in convergence.into_iter().chain(tables) {
         out.push('\n');
         out.push_str(&table.noted_text());
@@ -340,7 +348,7 @@ pub fn static_stress_text(stress: &StaticStress) -> String {
     out
 }
 
-/// Every fillet and surface under every case as CSV, unrounded.
+/// Every fillet and surface under every case as CSV, unrounded; fillets of a submodel under the case that stresses each most.
 pub fn static_stress_csv(stress: &StaticStress) -> String {
     let mut out = String::new();
     let head = [
@@ -384,6 +392,25 @@ pub fn static_stress_csv(stress: &StaticStress) -> String {
             ];
             push_csv_line(&mut out, line);
         }
+    }
+    for fillet in stress.submodel.iter().flat_map(|own| &own.fillets) {
+        let (case, own) = (stress.cases.get(fillet.case), fillet.stress);
+        let line = [
+            case.map_or(String::new(), |case| case.name.clone()),
+            case.and_then(|case| case.theta).map_or(String::new(), |theta| csv_number(theta.to_degrees())),
+            case.map_or(String::new(), |case| csv_number(number::rpm(case.speed))),
+            format!("{} (submodel)", fillet.name),
+            csv_number(1e3 * fillet.radius),
+            csv_number(1e-6 * own.von_mises),
+            csv_number(1e-6 * own.principal),
+            csv_number(own.jump),
+            csv_number(1e3 * own.at[0]),
+            csv_number(1e3 * own.at[1]),
+            csv_number(1e3 * own.at[2]),
+            String::new(),
+            String::new(),
+        ];
+        push_csv_line(&mut out, line);
     }
     out
 }

@@ -27,9 +27,9 @@ use lanchester::report::{
     static_stress_brief, static_stress_csv, static_stress_text,
 };
 use lanchester::{
-    ModesRequest, StaticRequest, case_deck, case_glb, case_stl, case_vtu, converged_modes, converged_stress,
-    crank_fatigue, crank_modes, crank_rule, crank_rule_with_torsion, modes_deck, modes_glb, modes_vtu,
-    reduced_crank, solve_deck, static_stress,
+    ModesRequest, StaticRequest, SubmodelRequest, case_deck, case_glb, case_stl, case_vtu, converged_modes,
+    converged_stress, crank_fatigue, crank_modes, crank_rule, crank_rule_with_torsion, modes_deck, modes_glb,
+    modes_vtu, reduced_crank, solve_deck, static_stress,
 };
 use std::path::Path;
 
@@ -65,7 +65,12 @@ fn statics(arguments: &StaticArguments, colour: bool) -> Result<u8, Failure> {
     arguments.printed.check(arguments.format == Format::Text)?;
     let own = &arguments.mesh;
     let opened = open(&own.file, colour)?;
-    let request = static_request(&opened.file, own, &arguments.load, &arguments.support)?;
+    let submodel = arguments.submodel.map(|throw| SubmodelRequest {
+        throw: throw as usize,
+        fillet_elements: arguments.submodel_elements.map(|count| count as usize),
+    });
+    let plain = static_request(&opened.file, own, &arguments.load, &arguments.support)?;
+    let request = StaticRequest { submodel, ..plain };
     let found = solved(&opened, own, &request, arguments.converge)?;
     if let Some(folder) = &arguments.figures {
         write_figures(folder, &own.file, &found.figures())?;

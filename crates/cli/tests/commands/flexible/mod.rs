@@ -495,3 +495,32 @@ fn fatigue_without_strength_is_refused() {
     let words = message(&folder, 2, &words(&["fatigue"]));
     assert!(words.contains("fatigue_bending"), "{words}");
 }
+
+#[test]
+fn throw_is_solved_again_on_a_finer_mesh() {
+    let folder = engine("stress-submodel", str::to_owned);
+    let case = ["static", "--force", "1: -20 kN, 5 kN"];
+    let finer = ["--submodel", "1", "--submodel-elements", "4", "--format", "csv"];
+    let text = output(&folder, 0, &words(&[&case[..], &finer].concat()));
+    let stress = |place: &str| -> f64 {
+        let row = text.lines().find(|line| line.split(',').any(|cell| cell == place));
+        let row = row.unwrap_or_else(|| panic!("no {place} in {text}"));
+        // The case has commas of its own; the stress stands behind the place and the radius.
+        let cells: Vec<&str> = row.split(',').collect();
+        let at = cells.iter().position(|cell| *cell == place).unwrap();
+        cells[at + 2].parse().unwrap()
+    };
+    for fillet in ["journal 1 at web 1", "pin 1 at web 1", "pin 1 at web 2", "journal 2 at web 2"] {
+        let ratio = stress(&format!("{fillet} (submodel)")) / stress(fillet);
+        assert!((1.05..1.35).contains(&ratio), "{fillet}: {ratio}");
+    }
+    let refused = |more: &[&str], wanted: &str| {
+        let said = message(&folder, 2, &words(&[&case[..], more].concat()));
+        assert!(said.contains(wanted), "{wanted} in {said}");
+    };
+    refused(&["--submodel", "2"], "crankpin 2 is needed");
+    refused(&["--submodel", "1", "--submodel-elements", "2"], "which has 2; got 2");
+    refused(&["--submodel", "1", "--support", "free"], "balanced by its inertia");
+    refused(&["--submodel", "1", "--support", "rings"], "support that is linear");
+    refused(&["--submodel-elements", "4"], "--submodel");
+}
