@@ -287,7 +287,9 @@ __all__ = [
     "StoppedEngine",
     "StressCase",
     "StressMaterial",
+    "StressSubmodel",
     "StrokeSpan",
+    "SubmodelFillet",
     "SurfacePeak",
     "Sweep",
     "SweptOverlap",
@@ -2489,7 +2491,7 @@ class Convergence(Record):
     """A convergence study."""
 
     __slots__ = ()
-    _FIELDS = ("meshes", "numbers", "note",)
+    _FIELDS = ("meshes", "note", "numbers",)
 
     @property
     def meshes(self) -> Records[ConvergenceMesh]:
@@ -2497,14 +2499,14 @@ class Convergence(Record):
         return self._all("meshes", ConvergenceMesh)
 
     @property
-    def numbers(self) -> Records[ConvergedNumber]:
-        """The numbers."""
-        return self._all("numbers", ConvergedNumber)
-
-    @property
     def note(self) -> str | None:
         """Why the meshes are as fine as they are, where nobody says it."""
         return self._get("note")  # type: ignore[no-any-return]
+
+    @property
+    def numbers(self) -> Records[ConvergedNumber]:
+        """The numbers."""
+        return self._all("numbers", ConvergedNumber)
 
 
 class ConvergenceMesh(Record):
@@ -2918,7 +2920,7 @@ class CrankMesh(Record):
 
     @property
     def body_mass(self) -> float:
-        """Mass of the body that is meshed, without fillets; of its nose and flange too, which are not [kg]."""
+        """Mass of the body that is meshed, without fillets; of its nose and flange too, which are not; of a bay that of the whole crankshaft [kg]."""
         return self._get("body_mass")  # type: ignore[no-any-return]
 
     @property
@@ -7050,7 +7052,9 @@ class Mode(Record):
 
     @property
     def residual(self) -> float:
-        """`|K x - l M x|/|K x|`; of a rigid motion, whose `K x` is rounding, over `s |M x|`."""
+        """`|K x - l M x|/|K x|`; of a rigid motion, whose `K x` is rounding, over `s |M x|`. No more than 1e-8, or than what rounding leaves: thin
+        elements have a `K` of large numbers that cancel.
+        """
         return self._get("residual")  # type: ignore[no-any-return]
 
     @property
@@ -7995,7 +7999,9 @@ class PeakStress(Record):
 
     @property
     def jump(self) -> float:
-        """Jump of the stress between the elements there over the stress: a sign of the error."""
+        """Largest jump of the stress between elements over the stress, at the nodes of the same surface of all elements that meet there: a sign of
+        the error.
+        """
         return self._get("jump")  # type: ignore[no-any-return]
 
     @property
@@ -10028,7 +10034,7 @@ class StaticStress(Result):
     """
 
     __slots__ = ()
-    _FIELDS = ("cases", "convergence", "gas", "notes", "sheet", "solve", "support", "version",)
+    _FIELDS = ("cases", "convergence", "gas", "notes", "sheet", "solve", "submodel", "support", "version",)
 
     @property
     def cases(self) -> Records[StressCase]:
@@ -10059,6 +10065,11 @@ class StaticStress(Result):
     def solve(self) -> SolveReport:
         """How the equations were solved."""
         return self._of("solve", SolveReport)  # type: ignore[no-any-return]
+
+    @property
+    def submodel(self) -> StressSubmodel | None:
+        """One bay again, on a finer mesh."""
+        return self._of("submodel", StressSubmodel)  # type: ignore[no-any-return]
 
     @property
     def support(self) -> str:
@@ -10300,6 +10311,55 @@ class StressMaterial(Record):
         return self._of("yield_strength", Sourced)  # type: ignore[no-any-return]
 
 
+class StressSubmodel(Record):
+    """What lies between the middles of two main journals, meshed again with more elements across its fillets and solved with the displacements of the
+    whole crankshaft on its cuts.
+    """
+
+    __slots__ = ()
+    _FIELDS = ("cut_difference", "cuts", "fillet_elements", "fillets", "quality", "size", "solve", "throw",)
+
+    @property
+    def cut_difference(self) -> float:
+        """Largest difference of the von Mises stress between both meshes on the cuts, over the largest stress of a fillet of the bay, of all cases."""
+        return self._get("cut_difference")  # type: ignore[no-any-return]
+
+    @property
+    def cuts(self) -> FloatArray:
+        """Where both cuts lie along z [m]."""
+        return self._array("cuts")  # type: ignore[no-any-return]
+
+    @property
+    def fillet_elements(self) -> int:
+        """Elements across the 90 degrees of a fillet."""
+        return self._get("fillet_elements")  # type: ignore[no-any-return]
+
+    @property
+    def fillets(self) -> Records[SubmodelFillet]:
+        """Its fillets, along z."""
+        return self._all("fillets", SubmodelFillet)
+
+    @property
+    def quality(self) -> MeshQuality:
+        """The quality of its mesh."""
+        return self._of("quality", MeshQuality)  # type: ignore[no-any-return]
+
+    @property
+    def size(self) -> float:
+        """Edge of the elements away from fillets [m]."""
+        return self._get("size")  # type: ignore[no-any-return]
+
+    @property
+    def solve(self) -> SolveReport:
+        """How its equations were solved."""
+        return self._of("solve", SolveReport)  # type: ignore[no-any-return]
+
+    @property
+    def throw(self) -> int:
+        """Number of the throw whose bay it is, from 1."""
+        return self._get("throw")  # type: ignore[no-any-return]
+
+
 class StrokeSpan(Record):
     """What a piston does between two dead centres."""
 
@@ -10320,6 +10380,38 @@ class StrokeSpan(Record):
     def to(self) -> float:
         """Crank angle [rad] at its end."""
         return self._get("to")  # type: ignore[no-any-return]
+
+
+class SubmodelFillet(Record):
+    """A fillet of a submodel."""
+
+    __slots__ = ()
+    _FIELDS = ("case", "name", "radius", "stress", "whole",)
+
+    @property
+    def case(self) -> int:
+        """Place of the case in which it is, from 0."""
+        return self._get("case")  # type: ignore[no-any-return]
+
+    @property
+    def name(self) -> str:
+        """"pin 2 at web 3"."""
+        return self._get("name")  # type: ignore[no-any-return]
+
+    @property
+    def radius(self) -> float:
+        """Radius [m]."""
+        return self._get("radius")  # type: ignore[no-any-return]
+
+    @property
+    def stress(self) -> PeakStress:
+        """Largest stress on the finer mesh, over all cases."""
+        return self._of("stress", PeakStress)  # type: ignore[no-any-return]
+
+    @property
+    def whole(self) -> PeakStress:
+        """Largest stress on the mesh of the whole crankshaft, over all cases."""
+        return self._of("whole", PeakStress)  # type: ignore[no-any-return]
 
 
 class SurfacePeak(Record):
