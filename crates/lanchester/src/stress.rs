@@ -26,10 +26,10 @@ pub use file_case::stress_case;
 pub use mesh::{MOST_NODES, MeshFile, StressMesh};
 pub use reduce::reduced_crank;
 pub use request::{
-    GivenForce, ModesRequest, StaticRequest, StressError, StressLoad, StressStage, support_words,
+    GivenForce, ModesRequest, StaticRequest, StressError, StressLoad, StressStage, SubmodelRequest,
+    support_words,
 };
 pub use rule::{CrankRuleError, RuleRequest, crank_rule};
 pub use rule_torsion::{RuleTorsionError, crank_rule_with_torsion};
 pub use run::{crank_modes, static_stress};
-pub use submodel::SubmodelRequest;
 pub use throws::throw_stiffnesses;

@@ -3,7 +3,6 @@
 use crate::bearing_films::BearingFilmsError;
 use crate::pressure::error::GasError;
 use crate::stress::mesh::StressMesh;
-use crate::stress::submodel::SubmodelRequest;
 use lanchester_flex::FlexError;
 use lanchester_flex::crank_case::CrankSupport;
 use lanchester_flex::sparse::SolveEstimate;
@@ -66,6 +65,15 @@ impl Default for StaticRequest {
             solve: SolveOptions::default(),
         }
     }
+}
+
+/// A submodel that is asked for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct SubmodelRequest {
+    /// Number of the throw in its bay, from 1.
+    pub throw: usize,
+    /// Elements across its fillets, more than the whole has; `None`: 6, or the most that [`MOST_NODES`](crate::MOST_NODES) nodes leave room for.
+    pub fillet_elements: Option<usize>,
 }
 
 /// Natural modes.

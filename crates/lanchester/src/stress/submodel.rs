@@ -1,7 +1,7 @@
 //! One bay of a crankshaft again, with more elements across its fillets than the whole can have.
 
 use crate::stress::mesh::MOST_NODES;
-use crate::stress::request::{StaticRequest, StressError, StressStage};
+use crate::stress::request::{StaticRequest, StressError, StressStage, SubmodelRequest};
 use lanchester_flex::FlexError;
 use lanchester_flex::crank_case::{CrankCase, CrankLoad, PeakStress};
 use lanchester_flex::crank_mesh::{CUTS, CrankMesh, CrankMeshOptions, crank_mesh_of_bay};
@@ -11,15 +11,6 @@ use lanchester_report::{CrankSheet, StressSubmodel, SubmodelFillet};
 
 /// Elements across a fillet where nobody says how many; fewer where they are too many nodes.
 const USUAL: usize = 6;
-
-/// A submodel that is asked for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct SubmodelRequest {
-    /// Number of the throw in its bay, from 1.
-    pub throw: usize,
-    /// Elements across its fillets, more than the whole has; `None`: 6, or the most that [`MOST_NODES`] nodes leave room for.
-    pub fillet_elements: Option<usize>,
-}
 
 /// A bay that is meshed.
 pub(crate) struct Bay {
