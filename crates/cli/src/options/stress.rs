@@ -180,7 +180,8 @@ pub struct StaticArguments {
     /// of the whole crankshaft on its cuts: the stress of fillets of a long crankshaft, whose whole mesh can have few of them.
     #[arg(long, value_name = "THROW", value_parser = clap::value_parser!(u32).range(1..))]
     pub submodel: Option<u32>,
-    /// Elements across the fillets of the submodel, an even number above that of the whole; default 6, or 4 where 6 need more than 220 000 nodes.
+    /// Elements across the fillets of the submodel, an even number above that of the whole; default 6, or 4 where 6 need more than 220 000 nodes, and two more than
+    /// the whole where that has 6 and more.
     #[arg(long, value_name = "N", requires = "submodel", value_parser = clap::value_parser!(u32).range(2..=40))]
     pub submodel_elements: Option<u32>,
     /// Write pictures as SVG files into this folder.

@@ -72,7 +72,8 @@ impl Default for StaticRequest {
 pub struct SubmodelRequest {
     /// Number of the throw in its bay, from 1.
     pub throw: usize,
-    /// Elements across its fillets, more than the whole has; `None`: 6, or the most that [`MOST_NODES`](crate::MOST_NODES) nodes leave room for.
+    /// Elements across its fillets, more than the whole has; `None`: 6, or the most below that [`MOST_NODES`](crate::MOST_NODES) nodes
+    /// leave room for; two more than the whole where that has 6 and more.
     pub fillet_elements: Option<usize>,
 }
 
@@ -228,13 +229,13 @@ pub enum StressError {
     },
     /// No finer mesh of the bay that can be solved in minutes.
     #[error(
-        "no mesh of the submodel with more than {whole} and up to {usual} elements across its fillets has good elements and no more than {nodes} nodes\nhint: say how many elements its fillets shall have, or give the whole crankshaft fewer"
+        "no mesh of the submodel with {least} to {most} elements across its fillets has good elements and no more than {nodes} nodes\nhint: say how many elements its fillets shall have, or give the whole crankshaft fewer"
     )]
     NoSubmodel {
-        /// Elements across a fillet of the whole.
-        whole: usize,
+        /// Fewest that were tried, two more than the whole has.
+        least: usize,
         /// Most that were tried.
-        usual: usize,
+        most: usize,
         /// Most nodes.
         nodes: usize,
     },

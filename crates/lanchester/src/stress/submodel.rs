@@ -3,13 +3,13 @@
 use crate::stress::mesh::MOST_NODES;
 use crate::stress::request::{StaticRequest, StressError, StressStage, SubmodelRequest};
 use lanchester_flex::FlexError;
-use lanchester_flex::crank_case::{CrankCase, CrankLoad, PeakStress};
+use lanchester_flex::crank_case::{CrankCase, CrankLoad};
 use lanchester_flex::crank_mesh::{CUTS, CrankMesh, CrankMeshOptions, crank_mesh_of_bay};
 use lanchester_flex::submodel::{SolvedCrank, check_cut, solve_submodel};
 use lanchester_model::Engine;
 use lanchester_report::{CrankSheet, StressSubmodel, SubmodelFillet};
 
-/// Elements across a fillet where nobody says how many; fewer where they are too many nodes.
+/// Elements across a fillet where nobody says how many and the whole has fewer; fewer than these where they are too many nodes.
 const USUAL: usize = 6;
 
 /// A bay that is meshed.
@@ -42,8 +42,7 @@ pub(crate) fn submodel(
         let (case, stress) = of.max_by(|a, b| a.1.von_mises.total_cmp(&b.1.von_mises))?;
         let before = sheet.crank.corners.iter().position(|own| own.name == corner.name)?;
         let peaks = cases.iter().filter_map(|case| case.peaks.get(before)?.stress);
-        let whole: Vec<PeakStress> = peaks.collect();
-        let whole = whole.into_iter().max_by(|a, b| a.von_mises.total_cmp(&b.von_mises))?;
+        let whole = peaks.max_by(|a, b| a.von_mises.total_cmp(&b.von_mises))?;
         Some(SubmodelFillet { name: corner.name.clone(), radius: corner.radius, whole, stress, case })
     });
     let height = |cut: &str| -> Result<f64, FlexError> {
@@ -85,12 +84,13 @@ pub(crate) fn meshed_bay(
         }
         return Ok(of(count)?);
     }
-    for count in (whole + 2..=USUAL).rev().step_by(2) {
+    let most = USUAL.max(whole + 2);
+    for count in (whole + 2..=most).rev().step_by(2) {
         match of(count) {
             Ok(bay) if bay.crank.mesh.nodes.len() <= MOST_NODES => return Ok(bay),
             Ok(_) | Err(FlexError::Crowded { .. }) => {}
             Err(error) => return Err(error.into()),
         }
     }
-    Err(StressError::NoSubmodel { whole, usual: USUAL, nodes: MOST_NODES })
+    Err(StressError::NoSubmodel { least: whole + 2, most, nodes: MOST_NODES })
 }

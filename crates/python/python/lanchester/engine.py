@@ -924,7 +924,7 @@ class Engine:
         """Static stress of the crankshaft by finite elements: every fillet, pin and journal. The file has a section ``[crank.body]``.
 
         `angle` [rad], else the angles of the largest forces; `size` of the elements [m]; `submodel`: index of a throw whose bay, between the main
-        journals beside it, is solved again with more elements across its fillets (`submodel_elements`, else 6 or 4); `memory` [byte].
+        journals beside it, is solved again with more elements across its fillets (`submodel_elements`, else 6 as a rule); `memory` [byte].
 
         >>> import lanchester
         >>> try:

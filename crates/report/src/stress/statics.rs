@@ -12,7 +12,7 @@ use lanchester_flex::sparse::SolveReport;
 use serde::Serialize;
 
 /// Version of these structures; raised when a field changes its meaning or goes.
-pub const STATIC_STRESS_VERSION: u32 = 1;
+pub const STATIC_STRESS_VERSION: u32 = 2;
 
 /// Static stress of a crankshaft under several loads.
 ///
@@ -96,16 +96,28 @@ impl StaticStress {
         self.sheet.material.yield_strength.map(|strength| strength.value / von_mises)
     }
 
-    /// The sentence that matters most.
+    /// The sentences that matter most.
     pub(crate) fn lead(&self) -> String {
+        let submodel = self.submodel.as_ref().and_then(|own| own.lead(|stress| self.safety_words(stress)));
+        match submodel {
+            Some(words) => format!("{} {words}", self.whole_lead()),
+            None => self.whole_lead(),
+        }
+    }
+
+    /// ", 1.4 times below yield"; nothing where the strength is not known.
+    fn safety_words(&self, von_mises: f64) -> String {
+        let safety = self.safety(von_mises);
+        safety.map_or(String::new(), |safety| format!(", {} times below yield", number::short(safety, 3)))
+    }
+
+    fn whole_lead(&self) -> String {
         let Some((case, peak, stress)) =
             self.worst().and_then(|case| case.worst().and_then(|peak| Some((case, peak, peak.stress?))))
         else {
             return "No fillet has a stress.".to_owned();
         };
-        let safety = self
-            .safety(stress.von_mises)
-            .map_or(String::new(), |safety| format!(", {} times below yield", number::short(safety, 3)));
+        let safety = self.safety_words(stress.von_mises);
         let force = |own: &PinForces| {
             let [radial, tangential] = [own.radial, own.tangential].map(|f| number::short(1e-3 * f, 4));
             format!("pin {} {radial} and {tangential} kN", own.pin)
@@ -314,8 +326,7 @@ impl StaticStress {
 
     /// Words before the tables.
     pub(crate) fn words(&self) -> Vec<String> {
-        let mut words: Vec<String> = self.submodel.iter().filter_map(StressSubmodel::lead).collect();
-        words.push(format!("Support: {}.", self.support));
+        let mut words = vec![format!("Support: {}.", self.support)];
         words.push(match &self.gas {
             Some(gas) => format!("Gas: {gas}."),
             None => "Gas: none.".to_owned(),

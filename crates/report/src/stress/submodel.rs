@@ -50,15 +50,16 @@ impl StressSubmodel {
         self.fillets.iter().max_by(|a, b| a.stress.von_mises.total_cmp(&b.stress.von_mises))
     }
 
-    /// The sentence that matters most.
-    pub(crate) fn lead(&self) -> Option<String> {
+    /// The sentence that matters most. `safety`: the words that go behind a stress [Pa].
+    pub(crate) fn lead(&self, safety: impl Fn(f64) -> String) -> Option<String> {
         let worst = self.worst()?;
         Some(format!(
-            "The bay of throw {} again with {} elements across its fillets: {} MPa at {}, {} MPa on the mesh of the whole.",
+            "The bay of throw {} again with {} elements across its fillets: {} MPa at {}{}; {} MPa there on the mesh of the whole.",
             self.throw,
             self.fillet_elements,
             number::short(1e-6 * worst.stress.von_mises, 4),
             worst.name,
+            safety(worst.stress.von_mises),
             number::short(1e-6 * worst.whole.von_mises, 4)
         ))
     }
