@@ -9,6 +9,7 @@ macro_rules! embedded {
 /// Every data file of `validation/`, by its path there, in the order of the page.
 pub const FILES: &[(&str, &str)] = embedded![
     "twin-cylinder-thesis/source.json",
+    "twin-cylinder-thesis/figures.json",
     "twin-cylinder-thesis/boxer-in-phase.toml",
     "twin-cylinder-thesis/boxer-out-of-phase.toml",
     "twin-cylinder-thesis/in-line-four.toml",
@@ -73,6 +74,7 @@ pub const FILES: &[(&str, &str)] = embedded![
     "twin-cylinder-thesis/section-5.json",
     "twin-cylinder-thesis/text.json",
     "three-four-cylinder-thesis/source.json",
+    "three-four-cylinder-thesis/figures.json",
     "three-four-cylinder-thesis/four-cylinder.toml",
     "three-four-cylinder-thesis/four-cylinder-simulated.toml",
     "three-four-cylinder-thesis/three-cylinder.toml",
@@ -89,6 +91,7 @@ pub const FILES: &[(&str, &str)] = embedded![
     "three-four-cylinder-thesis/figures-3.23-3.27.json",
     "three-four-cylinder-thesis/figures-4.12-4.16.json",
     "flexible-paper/source.json",
+    "flexible-paper/figures.json",
     "flexible-paper/single.toml",
     "flexible-paper/rigid-run.toml",
     "flexible-paper/three-mains.toml",
@@ -99,6 +102,7 @@ pub const FILES: &[(&str, &str)] = embedded![
     "flexible-paper/text.json",
     "flexible-paper/static-case.json",
     "balancing-tool-paper/source.json",
+    "balancing-tool-paper/figures.json",
     "balancing-tool-paper/in-line-three.toml",
     "balancing-tool-paper/v4-90.toml",
     "balancing-tool-paper/table-2.json",

@@ -237,7 +237,9 @@ pub enum Command {
     Studio(StudioArguments),
     /// Recompute every published number: printed against computed, with verdict and reason.
     #[command(after_help = "Examples:\n  lanchester validate\n  lanchester validate twin --verbose\n  \
-                            lanchester validate --format csv > verdicts.csv")]
+                            lanchester validate --format csv > verdicts.csv\n  \
+                            lanchester validate --figures atlas\n  \
+                            lanchester validate 'twin-cylinder-thesis Figure 18' --figures atlas")]
     Validate(ValidateArguments),
     /// Print the JSON Schema of the engine file or of the workshop sheet, for completion in an editor.
     #[command(after_help = "Examples:\n  lanchester schema > engine.schema.json\n  \
@@ -584,9 +586,13 @@ pub struct ValidateArguments {
     /// Print every row, not only those that need a reason; the other forms always have every row.
     #[arg(long, conflicts_with = "format")]
     pub verbose: bool,
-    /// Write the validation page of the book instead.
+    /// Write the validation page of the book instead; with `--figures` the page of the atlas.
     #[arg(long, conflicts_with_all = ["verbose", "filter", "format"])]
     pub markdown: bool,
+    /// Draw the published figures from our numbers into this folder instead, with a page `index.html`; the filter keeps
+    /// sources and figures.
+    #[arg(long, value_name = "FOLDER", conflicts_with_all = ["verbose", "format"])]
+    pub figures: Option<PathBuf>,
     /// Form of the output.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,

@@ -24,4 +24,5 @@ pub use csv::{motion_csv, orders_csv, trace_csv};
 pub use figure::{Figure, Panel};
 pub use section::{Part, Section};
 pub use table::{Cell, Column, Table, csv_text};
+pub use svg::escape;
 pub use tornado::tornado_figure;

@@ -29,7 +29,6 @@ impl GasRun {
             lever: Lever::Sine,
             kinematics,
             max_order: 1,
-            samples: 1,
             ..TorqueRequest::default()
         };
         let found = torque(engine, &gas.cylinders, &request).map_err(|error| error.to_string())?;

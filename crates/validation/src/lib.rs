@@ -15,6 +15,7 @@
 //! ```
 #![forbid(unsafe_code)]
 
+mod atlas;
 mod case;
 mod compared;
 mod crank_cycle;
@@ -41,6 +42,9 @@ mod value;
 mod verdict;
 mod workshop;
 
+pub use atlas::{
+    Atlas, AtlasFigure, AtlasNumber, AtlasSource, FigureVerdict, atlas, atlas_markdown, atlas_page,
+};
 pub use render::{csv, markdown, text};
 pub use result::{
     Counts, Deferred, RowResult, SourceResult, TableResult, VALIDATION_VERSION, Validation, VerdictCount,
@@ -51,7 +55,7 @@ use case::{Bench, sheet};
 use files::Source;
 use inputs::{corners, is_input};
 use quantity::Key;
-use source::{Cell, Comparison, Edit, KinematicsName, Over, Row, Table};
+use source::{Cell, Column, Comparison, Edit, KinematicsName, Over, Row, Table};
 use value::{Ours, Value};
 use verdict::Printed;
 
@@ -98,10 +102,24 @@ fn keeps(filter: &str, name: &str) -> bool {
 }
 
 fn validate_table(bench: &mut Bench, source: &Source, table: &Table) -> TableResult {
+    let rows = validate_rows(bench, source, table, |_, _| true);
+    TableResult { table: table.table.clone(), title: table.title.clone(), rows }
+}
+
+/// The cells of a table that are asked for, by row and column.
+fn validate_rows(
+    bench: &mut Bench,
+    source: &Source,
+    table: &Table,
+    asked: impl Fn(&Row, Option<&Column>) -> bool,
+) -> Vec<RowResult> {
     let mut rows = Vec::new();
     for row in &table.rows {
         for (at, cell) in row.printed.cells().iter().enumerate() {
             let column = table.columns.get(at);
+            if !asked(row, column) {
+                continue;
+            }
             let place = Place { source, table, row, column_edits: column.map_or(&[], |c| &c.with) };
             let engine =
                 column.and_then(|c| c.engine.as_ref()).or(row.engine.as_ref()).unwrap_or(&table.engine);
@@ -111,7 +129,7 @@ fn validate_table(bench: &mut Bench, source: &Source, table: &Table) -> TableRes
             });
         }
     }
-    TableResult { table: table.table.clone(), title: table.title.clone(), rows }
+    rows
 }
 
 /// Where a cell stands.

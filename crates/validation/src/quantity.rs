@@ -278,7 +278,8 @@ impl Key {
 }
 
 impl Selection {
-    fn parse(text: &str) -> Result<Selection, String> {
+    /// The selection of this name.
+    pub fn parse(text: &str) -> Result<Selection, String> {
         if let Some(number) = text.strip_prefix("cylinder ") {
             return number.parse().map(Selection::Cylinder).map_err(|_| format!("{number:?} is no cylinder"));
         }
@@ -292,7 +293,8 @@ impl Selection {
         text.split(" + ").map(part).collect::<Result<_, _>>().map(Selection::Parts)
     }
 
-    fn sets<'a>(&self, run: &'a Run) -> Result<Vec<&'a LoadSet>, String> {
+    /// Their loads.
+    pub fn sets<'a>(&self, run: &'a Run) -> Result<Vec<&'a LoadSet>, String> {
         match self {
             Selection::Total => Ok(vec![&run.loads.total]),
             Selection::Parts(parts) => {
@@ -481,7 +483,7 @@ fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
 }
 
 /// The twin thesis's `M_res = sqrt(M_x² + M_y² + M_z²)` with its own `M_z`.
-fn thesis_moment(run: &Run) -> Vec<f64> {
+pub(crate) fn thesis_moment(run: &Run) -> Vec<f64> {
     let trace = &run.loads.total.trace;
     let roll = run.roll_of_shafts();
     trace.couple_x.iter().zip(&trace.couple_y).zip(roll).map(|((x, y), z)| x.hypot(*y).hypot(z)).collect()
