@@ -12,6 +12,10 @@ use std::process::Command;
 /// The page of published numbers.
 const PUBLISHED: &str = "docs/src/validation.md";
 
+/// The page of the sources' figures, and its pictures.
+const ATLAS: &str = "docs/src/atlas.md";
+const ATLAS_PICTURES: &str = "docs/src/images/atlas";
+
 /// Pages and pictures of the book, and the picture of the README.
 const WRITTEN: [Written; 34] = [
     Written {
@@ -317,12 +321,35 @@ pub fn write(profile: Profile) -> Result<()> {
         std::fs::write(root().join(written.file), written.text(&program, &mut figures)?)?;
         println!("{}", written.file);
     }
+    write_atlas(&program)
+}
+
+/// The atlas: its page, and the pictures of this version alone.
+fn write_atlas(program: &Path) -> Result<()> {
+    let new = scratch("atlas")?;
+    let arguments = ["validate", "--markdown", "--figures"];
+    let page = quiet(Command::new(program).args(arguments).arg(&new).current_dir(root()))?;
+    std::fs::write(root().join(ATLAS), page)?;
+    let kept = root().join(ATLAS_PICTURES);
+    if kept.is_dir() {
+        std::fs::remove_dir_all(&kept)?;
+    }
+    std::fs::create_dir_all(&kept)?;
+    for picture in std::fs::read_dir(&new)? {
+        let picture = picture?.path();
+        if let (Some(name), Some("svg")) = (picture.file_name(), picture.extension().and_then(|e| e.to_str()))
+        {
+            std::fs::copy(&picture, kept.join(name))?;
+        }
+    }
+    println!("{ATLAS}, {ATLAS_PICTURES}");
     Ok(())
 }
 
 /// Fails where a file is not what the program writes now.
 ///
-/// The page of published numbers takes a minute of two processors; a test of the crate `validation`, which needs all numbers in any case, holds it.
+/// The page of published numbers takes a minute of two processors; tests of the crate `validation`, which need all numbers and figures in any
+/// case, hold it and the atlas.
 pub fn check(program: &Path) -> Result<String> {
     let (mut stale, mut figures) = (Vec::new(), Figures::new());
     let held_here = WRITTEN.iter().filter(|written| written.file != PUBLISHED);

@@ -10,7 +10,7 @@ pub(crate) mod vectors;
 
 pub use bars::PublishedBars;
 pub use crank_curve::crank_curve;
-pub use curves::{Abscissa, PublishedCurve, PublishedCurves};
+pub use curves::{Abscissa, PointsAs, PublishedCurve, PublishedCurves};
 pub use swept::{sweep_steps_table, swept_table, swept_text};
 pub use tables::{
     equilibrium_table, method_effects_table, method_numbers_table, method_orders_table, method_weights_table,

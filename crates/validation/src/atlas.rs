@@ -222,16 +222,22 @@ fn document(id: &str, source: &Source, entry: &FigureEntry, drawing: &Drawing) -
     if let Some(document) = &drawing.document {
         return document.clone();
     }
-    let mut caption = format!("{}, Figure {}, from our numbers.", source.title, entry.figure);
+    let mut caption = format!("{}. From our numbers.", capital(&entry.title));
     if let Some(chosen) = &entry.chosen {
         caption += &format!(" Chosen: {chosen}");
     }
     Figure {
         id: id.to_string(),
-        title: format!("Figure {}: {}", entry.figure, entry.title),
+        title: format!("{}, Figure {}", source.title, entry.figure),
         caption,
         panels: drawing.panels.clone(),
         columns: 2,
     }
     .svg()
+}
+
+/// With a capital at its beginning.
+fn capital(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }

@@ -27,6 +27,7 @@ mod graph;
 mod inputs;
 mod method;
 mod mount;
+mod piston;
 mod quantity;
 mod render;
 mod result;

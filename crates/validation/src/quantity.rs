@@ -14,7 +14,7 @@
 //!
 //! `... of rotating + reciprocating`, `... of cylinder 1` takes a name from these alone. The rest are data of the
 //! engine, see [`EngineDatum`]; `a plus b` adds them. Devices that a method fits: [`DeviceKey`]. Shapes of counterweights:
-//! [`ShapeKey`]. Forces at mounts: [`MountKey`]. What the gas does: [`GasKey`]. The bond graph: [`GraphKey`]. Static stress: [`StressKey`].
+//! [`ShapeKey`]. Where a piston is: [`PistonKey`]. Forces at mounts: [`MountKey`]. What the gas does: [`GasKey`]. The bond graph: [`GraphKey`]. Static stress: [`StressKey`].
 //! The flexible crankshaft over the cycle: [`CycleKey`]. Torsion: [`TorsionKey`]. Runs in time: [`RunKey`]. Workshop sheets:
 //! [`WorkshopKey`]. Mechanisms: [`MechanismKey`]. Oil films: [`FilmKey`].
 
@@ -24,6 +24,7 @@ use crate::gas::GasKey;
 use crate::graph::GraphKey;
 use crate::method::DeviceKey;
 use crate::mount::MountKey;
+use crate::piston::PistonKey;
 use crate::rigid_run::RunKey;
 use crate::shape::ShapeKey;
 use crate::standalone::film::FilmKey;
@@ -45,6 +46,8 @@ pub(crate) enum Key {
     Loads(LoadKey, Selection),
     /// Largest piston acceleration [m/s²].
     PistonAcceleration,
+    /// Where a piston is.
+    Piston(PistonKey),
     /// Of a device of the engine.
     Device(DeviceKey),
     /// Of a counterweight's shape.
@@ -182,6 +185,9 @@ impl Key {
         if text == "piston acceleration" {
             return Ok(Key::PistonAcceleration);
         }
+        if let Some(piston) = PistonKey::parse(text) {
+            return Ok(Key::Piston(piston));
+        }
         let datum = |text: &str| Some(ENGINE_DATA.iter().find(|(name, _)| *name == text)?.1);
         if let Some(data) = text.split(" plus ").map(datum).collect() {
             return Ok(Key::Engine(data));
@@ -242,6 +248,7 @@ impl Key {
                 Ok(Value::Number(amounts.fold(0.0, f64::max)))
             }
             Key::Loads(key, selection) => key.of(run, selection),
+            Key::Piston(piston) => piston.of(run).map(Value::Number),
             Key::Device(device) => device.of(&run.engine).map(Value::Number),
             Key::Shape(shape) => shape.of(&run.shape).map(Value::Number),
             Key::Mount(mount) => mount.of(run).map(Value::Number),

@@ -4,7 +4,7 @@ use crate::kit::axis::Axis;
 use crate::kit::figure::{Figure, Panel};
 use crate::kit::number::{self, Scale};
 use crate::kit::plot::{Legend, WIDTH};
-use crate::kit::svg::{Anchor, Path, Svg};
+use crate::kit::svg::{Anchor, Path, Svg, text_width};
 use lanchester_literature::{CrankLoad, CrankSweep, SweptCrank};
 
 const HEIGHT: f64 = 300.0;
@@ -129,7 +129,10 @@ fn draw(
     for &tick in &amounts.ticks {
         let x = amounts.place(tick, LEFT, right);
         svg.line("grid", (x, top), (x, bottom));
-        svg.text("small", (x, bottom + 17.0), Anchor::Middle, &number::fixed(tick, amounts.decimals));
+        let text = number::fixed(tick, amounts.decimals);
+        let is_cut = x + 0.5 * text_width(&text, 11.5) > WIDTH;
+        let (at, anchor) = if is_cut { (WIDTH, Anchor::End) } else { (x, Anchor::Middle) };
+        svg.text("small", (at, bottom + 17.0), anchor, &text);
     }
     let middle = (LEFT + right) / 2.0;
     svg.text("muted small", (middle, bottom + 37.0), Anchor::Middle, "counterweight of throw 1 [kg m]");

@@ -20,8 +20,19 @@ pub struct PublishedCurve {
     pub name: String,
     /// In SI.
     pub points: Vec<(f64, f64)>,
-    /// Whether its points are marked: few values that lines join.
-    pub marked: bool,
+    /// How its points are drawn.
+    pub points_as: PointsAs,
+}
+
+/// How the points of a curve are drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PointsAs {
+    /// A line through all of them.
+    Line,
+    /// The same with a dot at each: few values.
+    MarkedLine,
+    /// Dots alone.
+    Dots,
 }
 
 /// Curves in one drawing: the first is the thick one.
@@ -62,7 +73,9 @@ impl PublishedCurves {
     fn over(&self, abscissa: &str, abscissa_unit: &str) -> Panel {
         let drawn = |(style, curve): (usize, &PublishedCurve)| {
             let of = |dots| XyCurve { name: curve.name.clone(), style, points: curve.points.clone(), dots };
-            std::iter::once(of(false)).chain(curve.marked.then(|| of(true)))
+            let line = (curve.points_as != PointsAs::Dots).then(|| of(false));
+            let dots = (curve.points_as != PointsAs::Line).then(|| of(true));
+            line.into_iter().chain(dots)
         };
         XyPlot {
             abscissa,
@@ -81,7 +94,7 @@ mod tests {
 
     fn curves(abscissa: Abscissa) -> PublishedCurves {
         let points = (0..4).map(|k| (f64::from(k), f64::from(k * k))).collect();
-        let curve = PublishedCurve { name: "square".to_owned(), points, marked: true };
+        let curve = PublishedCurve { name: "square".to_owned(), points, points_as: PointsAs::MarkedLine };
         PublishedCurves { quantity: "y".to_owned(), unit: "N".to_owned(), abscissa, curves: vec![curve] }
     }
 

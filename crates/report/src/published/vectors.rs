@@ -7,6 +7,8 @@ use num_complex::Complex64;
 
 const SIZE: f64 = 300.0;
 const MARGIN: f64 = 46.0;
+/// Distance of a name from the middle of its arrow [px].
+const LABEL: f64 = 24.0;
 
 /// Arrows one after another: the real part up, the imaginary part to the right.
 #[derive(Debug, Clone, PartialEq)]
@@ -54,13 +56,17 @@ impl PublishedVectors {
         svg.text("muted small", (4.0, 13.0), Anchor::Start, &self.quantity);
         let sum = self.sum();
         svg.arrow("arrow sum slim", place(ends[0]), place(sum), 13.0);
-        for ((name, arrow), from) in self.arrows.iter().zip(&ends) {
-            if pixels * arrow.norm() < 0.5 {
-                continue;
-            }
+        let is_seen = |arrow: &Complex64| pixels * arrow.norm() >= 0.5;
+        for ((_, arrow), from) in self.arrows.iter().zip(&ends) {
             svg.arrow("arrow a1", place(*from), place(from + arrow), 10.0);
+        }
+        for ((name, arrow), from) in self.arrows.iter().zip(&ends).filter(|((_, arrow), _)| is_seen(arrow)) {
+            // Beside the arrow, on the side away from the middle.
             let (x, y) = place(from + 0.5 * arrow);
-            svg.text("small halo", (x, y + 4.0), Anchor::Middle, name);
+            let across = arrow * Complex64::new(0.0, 1.0 / arrow.norm());
+            let away = from + 0.5 * arrow - middle;
+            let side = if (across * away.conj()).re < 0.0 { -LABEL } else { LABEL };
+            svg.text("small halo", (x + side * across.im, y + 4.0 - 0.6 * side * across.re), Anchor::Middle, name);
         }
         let said = format!("sum {}", amount(sum));
         svg.text("small", (0.5 * SIZE, SIZE + 26.0), Anchor::Middle, &said);

@@ -14,6 +14,7 @@
 use crate::case::Run;
 use crate::gas_run::GasRun;
 use crate::quantity::{Selection, thesis_moment};
+use lanchester::model::Cylinder;
 use lanchester::results::{LoadSet, OrderLoads, Trace};
 use num_complex::Complex64;
 use std::f64::consts::{FRAC_PI_4, TAU};
@@ -227,7 +228,19 @@ fn loads(
         Component::ForceY | Component::CoupleY => vector.im,
         Component::Force | Component::Moment | Component::RollOfShafts => vector.norm(),
     };
-    Ok(sums.iter().map(of).collect())
+    let values: Vec<f64> = sums.iter().map(of).collect();
+    let is_rounding = values.iter().all(|value| value.abs() < 1e-9 * unit_of(run, is_couple));
+    Ok(if is_rounding { vec![0.0; values.len()] } else { values })
+}
+
+/// Force or couple that the reciprocating masses of the engine could have: what is far below is rounding.
+fn unit_of(run: &Run, is_couple: bool) -> f64 {
+    let of = |cylinder: &Cylinder| {
+        let lever = if is_couple { cylinder.z.abs() + cylinder.rod.length } else { 1.0 };
+        let radius = run.engine.throws.get(cylinder.throw).map_or(0.0, |throw| throw.radius);
+        cylinder.reciprocating_mass() * radius * run.loads.speed.powi(2) * lever
+    };
+    run.engine.cylinders.iter().map(of).sum()
 }
 
 fn add_trace(sums: &mut [Complex64], trace: &Trace, is_couple: bool) {

@@ -13,7 +13,7 @@ use crate::source::{Edit, Row, Table};
 use crate::validate_rows;
 use lanchester::literature::{SweepOptions, swept};
 use lanchester::report::{
-    Abscissa, Figure, Panel, PublishedBars, PublishedCurve, PublishedCurves, PublishedVectors, crank_curve,
+    Abscissa, Figure, Panel, PointsAs, PublishedBars, PublishedCurve, PublishedCurves, PublishedVectors, crank_curve,
     front_view, side_view,
 };
 use num_complex::Complex64;
@@ -28,6 +28,8 @@ pub(crate) struct Drawing {
     pub curves: Vec<PublishedCurves>,
     /// Bars with their values, in SI.
     pub bars: Vec<PublishedBars>,
+    /// Sums of vectors by their quantity, in SI.
+    pub sums: Vec<(String, f64)>,
     /// A document of its own in place of panels.
     pub document: Option<String>,
     /// Engines with their changes.
@@ -64,7 +66,9 @@ impl Drawing {
             }
             DrawEntry::Vectors(entry) => {
                 self.name_engine(&entry.engine);
-                self.panels.push(vectors(bench, source, entry)?.panel());
+                let vectors = vectors(bench, source, entry)?;
+                self.panels.push(vectors.panel());
+                self.sums.push((vectors.quantity.clone(), vectors.sum().norm()));
             }
             DrawEntry::Sweep { engine } => {
                 self.name_engine(engine);
@@ -106,8 +110,11 @@ impl Drawing {
         }
     }
 
-    /// An extreme of a curve, in SI.
+    /// An extreme of a curve, or the sum of vectors of this name, in SI.
     pub fn extreme(&self, name: &str, extreme: ExtremeName) -> Option<f64> {
+        if let Some((_, sum)) = self.sums.iter().find(|(own, _)| own == name) {
+            return Some(*sum);
+        }
         let curve = self.curves.iter().flat_map(|own| &own.curves).find(|curve| curve.name == name)?;
         let values = || curve.points.iter().map(|point| point.1);
         let (highest, lowest) =
@@ -142,7 +149,7 @@ fn angle(bench: &mut Bench, source: &Source, entry: &AngleEntry) -> Result<Publi
         let theta = |index: usize| period * index as f64 / values.len() as f64;
         let factor = entry.factor.unwrap_or(1.0);
         let points = values.iter().enumerate().map(|(index, value)| (theta(index), factor * value)).collect();
-        curves.push(PublishedCurve { name: (*name).clone(), points, marked: false });
+        curves.push(PublishedCurve { name: (*name).clone(), points, points_as: PointsAs::Line });
     }
     let (quantity, unit) = (entry.quantity.clone(), entry.unit.clone());
     Ok(PublishedCurves { quantity, unit, abscissa: Abscissa::Angle(period), curves })
@@ -190,7 +197,7 @@ fn over_table(
             quantity: name.clone(),
             unit: rows.first().map_or_else(String::new, |row| row.unit.clone()),
             abscissa: Abscissa::Quantity(entry.abscissa.clone(), unit.clone()),
-            curves: vec![PublishedCurve { name: name.clone(), points, marked: true }],
+            curves: vec![PublishedCurve { name: name.clone(), points, points_as: PointsAs::MarkedLine }],
         });
     }
     Ok(found)
@@ -265,12 +272,13 @@ fn power(bench: &mut Bench, source: &Source, engine: &[Edit]) -> Result<Vec<Publ
     let grid = || (0..=POINTS).map(|k| SPEEDS_RPM[3] * k as f64 / POINTS as f64);
     let lowest = 0.125 * SPEEDS_RPM[3];
     let curves = |quantity: &str, unit: &str, cubic: Vec<(f64, f64)>, points: Vec<(f64, f64)>| {
-        let curve = |name: &str, points, marked| PublishedCurve { name: name.to_string(), points, marked };
+        let curve =
+            |name: &str, points, points_as| PublishedCurve { name: name.to_string(), points, points_as };
         PublishedCurves {
             quantity: quantity.to_string(),
             unit: unit.to_string(),
             abscissa: Abscissa::Quantity("speed".to_string(), "rpm".to_string()),
-            curves: vec![curve("cubic", cubic, false), curve("computed", points, true)],
+            curves: vec![curve("cubic", cubic, PointsAs::Line), curve("computed", points, PointsAs::Dots)],
         }
     };
     let points = SPEEDS_RPM.into_iter().zip(torques);
