@@ -17,7 +17,7 @@ const ATLAS: &str = "docs/src/atlas.md";
 const ATLAS_PICTURES: &str = "docs/src/images/atlas";
 
 /// Pages and pictures of the book, and the picture of the README.
-const WRITTEN: [Written; 34] = [
+const WRITTEN: [Written; 35] = [
     Written {
         file: "crates/studio/page/src/api/types.ts",
         head: "",
@@ -45,6 +45,13 @@ const WRITTEN: [Written; 34] = [
                step](guide/workshop.md).\n\n",
         input: None,
         arguments: &["schema", "--sheet", "--markdown"],
+        figure: None,
+    },
+    Written {
+        file: "validation/suite.schema.json",
+        head: "",
+        input: None,
+        arguments: &["schema", "--suite"],
         figure: None,
     },
     Written { file: PUBLISHED, head: "", input: None, arguments: &["validate", "--markdown"], figure: None },

@@ -239,12 +239,14 @@ pub enum Command {
     #[command(after_help = "Examples:\n  lanchester validate\n  lanchester validate twin --verbose\n  \
                             lanchester validate --format csv > verdicts.csv\n  \
                             lanchester validate --figures atlas\n  \
-                            lanchester validate 'twin-cylinder-thesis Figure 18' --figures atlas")]
+                            lanchester validate 'twin-cylinder-thesis Figure 18' --figures atlas\n  \
+                            lanchester validate --suite suite.json")]
     Validate(ValidateArguments),
-    /// Print the JSON Schema of the engine file or of the workshop sheet, for completion in an editor.
+    /// Print the JSON Schema of the engine file or of the workshop sheet, for completion in an editor, or of the reference suite.
     #[command(after_help = "Examples:\n  lanchester schema > engine.schema.json\n  \
                             lanchester schema --sheet > sheet.schema.json\n  \
-                            lanchester schema --markdown > engine-file.md")]
+                            lanchester schema --markdown > engine-file.md\n  \
+                            lanchester schema --suite > suite.schema.json")]
     Schema(SchemaArguments),
     /// Print the licences and notices of everything by others that the program and its page contain.
     #[command(after_help = "Examples:\n  lanchester licences > third-party.txt")]
@@ -593,6 +595,10 @@ pub struct ValidateArguments {
     /// sources and figures.
     #[arg(long, value_name = "FOLDER", conflicts_with_all = ["verbose", "format"])]
     pub figures: Option<PathBuf>,
+    /// Write the numbers into this file instead, as a reference suite that another program can run: inputs in SI, expected
+    /// values with their uncertainty, sources (JSON).
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["verbose", "format", "markdown", "figures"])]
+    pub suite: Option<PathBuf>,
     /// Form of the output.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,
@@ -607,6 +613,9 @@ pub struct SchemaArguments {
     /// The workshop sheet instead of the engine file.
     #[arg(long)]
     pub sheet: bool,
+    /// The reference suite that `validate --suite` writes.
+    #[arg(long, conflicts_with_all = ["sheet", "markdown"])]
+    pub suite: bool,
 }
 
 /// `completions`

@@ -36,6 +36,7 @@ mod shape;
 mod source;
 mod standalone;
 mod stress;
+mod suite;
 #[cfg(test)]
 mod tests;
 mod torsion;
@@ -49,6 +50,10 @@ pub use atlas::{
 pub use render::{csv, markdown, text};
 pub use result::{
     Counts, Deferred, RowResult, SourceResult, TableResult, VALIDATION_VERSION, Validation, VerdictCount,
+};
+pub use suite::{
+    SUITE_VERSION, Suite, SuiteComparison, SuiteMotion, SuiteNumber, SuiteRow, SuiteSource, suite,
+    suite_schema,
 };
 pub use verdict::Verdict;
 
@@ -114,23 +119,33 @@ fn validate_rows(
     table: &Table,
     asked: impl Fn(&Row, Option<&Column>) -> bool,
 ) -> Vec<RowResult> {
-    let mut rows = Vec::new();
-    for row in &table.rows {
-        for (at, cell) in row.printed.cells().iter().enumerate() {
+    let cells = cells(source, table).into_iter().filter(|at| asked(at.place.row, at.column));
+    let row = |at: CellAt| RowResult {
+        column: at.column.map(|c| c.name.clone()),
+        ..validate_cell(bench, &at.place, at.engine, at.cell)
+    };
+    cells.map(row).collect()
+}
+
+/// A cell with where it stands, its column and its engine.
+struct CellAt<'a> {
+    place: Place<'a>,
+    column: Option<&'a Column>,
+    engine: &'a [Edit],
+    cell: &'a Cell,
+}
+
+/// All cells of a table, row by row.
+fn cells<'a>(source: &'a Source, table: &'a Table) -> Vec<CellAt<'a>> {
+    let of_row = |row: &'a Row| {
+        row.printed.cells().iter().enumerate().map(move |(at, cell)| {
             let column = table.columns.get(at);
-            if !asked(row, column) {
-                continue;
-            }
             let place = Place { source, table, row, column_edits: column.map_or(&[], |c| &c.with) };
-            let engine =
-                column.and_then(|c| c.engine.as_ref()).or(row.engine.as_ref()).unwrap_or(&table.engine);
-            rows.push(RowResult {
-                column: column.map(|c| c.name.clone()),
-                ..validate_cell(bench, &place, engine, cell)
-            });
-        }
-    }
-    rows
+            let own = column.and_then(|c| c.engine.as_ref()).or(row.engine.as_ref());
+            CellAt { place, column, engine: own.unwrap_or(&table.engine), cell }
+        })
+    };
+    table.rows.iter().flat_map(of_row).collect()
 }
 
 /// Where a cell stands.

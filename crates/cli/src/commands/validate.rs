@@ -6,7 +6,7 @@ use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
 use crate::files::{print, tell, write_result};
 use crate::format::Format;
 use lanchester_validation::{
-    AtlasFigure, FigureVerdict, atlas, atlas_markdown, atlas_page, csv, markdown, text, validate,
+    AtlasFigure, FigureVerdict, atlas, atlas_markdown, atlas_page, csv, markdown, suite, text, validate,
 };
 use std::path::Path;
 
@@ -17,12 +17,12 @@ pub fn run(arguments: &ValidateArguments) -> Result<u8, Failure> {
     if let Some(folder) = &arguments.figures {
         return figures(arguments, folder);
     }
+    if let Some(file) = &arguments.suite {
+        return suite_file(arguments, file);
+    }
     let validation = validate(arguments.filter.as_deref());
     if validation.sources.is_empty() {
-        return Err(Failure::input(
-            format_args!("no source or table contains `{}`", arguments.filter.as_deref().unwrap_or_default()),
-            "`lanchester validate` without a filter lists all of them",
-        ));
+        return Err(nothing(arguments));
     }
     print(&match arguments.format {
         _ if arguments.markdown => markdown(&validation),
@@ -31,6 +31,29 @@ pub fn run(arguments: &ValidateArguments) -> Result<u8, Failure> {
         Format::Csv => csv(&validation),
     })?;
     Ok(if validation.passed() { DONE } else { NOT_AS_EXPECTED })
+}
+
+/// The reference suite.
+fn suite_file(arguments: &ValidateArguments, file: &Path) -> Result<u8, Failure> {
+    let found = suite(arguments.filter.as_deref());
+    if found.rows.is_empty() {
+        return Err(nothing(arguments));
+    }
+    write_result(file, Path::new(NO_ENGINE), &json(&found)?)?;
+    print(&format!(
+        "{} rows, {} engines, version {}\n",
+        found.rows.len(),
+        found.engines.len(),
+        found.version
+    ))?;
+    Ok(DONE)
+}
+
+fn nothing(arguments: &ValidateArguments) -> Failure {
+    Failure::input(
+        format_args!("no source or table contains `{}`", arguments.filter.as_deref().unwrap_or_default()),
+        "`lanchester validate` without a filter lists all of them",
+    )
 }
 
 /// The atlas of the sources' figures.
@@ -63,7 +86,9 @@ fn write(folder: &Path, figure: &AtlasFigure) -> Result<(), Failure> {
         None => {}
     }
     match figure.csv() {
-        Some(values) => write_result(&folder.join(format!("{}.csv", figure.id)), Path::new(NO_ENGINE), &values),
+        Some(values) => {
+            write_result(&folder.join(format!("{}.csv", figure.id)), Path::new(NO_ENGINE), &values)
+        }
         None => Ok(()),
     }
 }

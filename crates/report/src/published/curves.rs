@@ -60,12 +60,10 @@ impl PublishedCurves {
     fn over_angle(&self, period: f64) -> Panel {
         let column = |curve: &PublishedCurve| curve.points.iter().map(|p| p.1).collect::<Vec<f64>>();
         let columns: Vec<Vec<f64>> = self.curves.iter().map(column).collect();
-        let theta: Vec<f64> = self.curves.first().map_or_else(Vec::new, |curve| {
-            curve.points.iter().map(|p| p.0).collect()
-        });
+        let theta: Vec<f64> =
+            self.curves.first().map_or_else(Vec::new, |curve| curve.points.iter().map(|p| p.0).collect());
         let named = self.curves.iter().zip(&columns).enumerate();
-        let series =
-            named.map(|(style, (curve, values))| Series { name: curve.name.clone(), style, values });
+        let series = named.map(|(style, (curve, values))| Series { name: curve.name.clone(), style, values });
         let (quantity, unit) = (self.quantity.as_str(), self.unit.as_str());
         AnglePlot { quantity, unit, theta: &theta, period, series: series.collect() }.panel()
     }

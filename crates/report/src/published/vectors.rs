@@ -66,7 +66,12 @@ impl PublishedVectors {
             let across = arrow * Complex64::new(0.0, 1.0 / arrow.norm());
             let away = from + 0.5 * arrow - middle;
             let side = if (across * away.conj()).re < 0.0 { -LABEL } else { LABEL };
-            svg.text("small halo", (x + side * across.im, y + 4.0 - 0.6 * side * across.re), Anchor::Middle, name);
+            svg.text(
+                "small halo",
+                (x + side * across.im, y + 4.0 - 0.6 * side * across.re),
+                Anchor::Middle,
+                name,
+            );
         }
         let said = format!("sum {}", amount(sum));
         svg.text("small", (0.5 * SIZE, SIZE + 26.0), Anchor::Middle, &said);

@@ -151,9 +151,10 @@ impl CurveKey {
                     },
                 ))
             }
-            CurveKey::Torque(_) | CurveKey::Pressure | CurveKey::GasForce { .. } | CurveKey::RodForce { .. } => {
-                self.of_gas(run, run.with_gas()?)
-            }
+            CurveKey::Torque(_)
+            | CurveKey::Pressure
+            | CurveKey::GasForce { .. }
+            | CurveKey::RodForce { .. } => self.of_gas(run, run.with_gas()?),
         }
     }
 

@@ -13,8 +13,8 @@ use crate::source::{Edit, Row, Table};
 use crate::validate_rows;
 use lanchester::literature::{SweepOptions, swept};
 use lanchester::report::{
-    Abscissa, Figure, Panel, PointsAs, PublishedBars, PublishedCurve, PublishedCurves, PublishedVectors, crank_curve,
-    front_view, side_view,
+    Abscissa, Figure, Panel, PointsAs, PublishedBars, PublishedCurve, PublishedCurves, PublishedVectors,
+    crank_curve, front_view, side_view,
 };
 use num_complex::Complex64;
 use std::f64::consts::{PI, TAU};
@@ -249,8 +249,7 @@ fn sweep(bench: &mut Bench, source: &Source, engine: &[Edit]) -> Result<Figure, 
     if let Some(grid) = source.grid {
         options.angles = grid;
     }
-    let found =
-        swept(&run.engine, None, run.kinematics, &options).map_err(|error| error.to_string())?;
+    let found = swept(&run.engine, None, run.kinematics, &options).map_err(|error| error.to_string())?;
     Ok(crank_curve(&found.sweep, found.optimal()))
 }
 
