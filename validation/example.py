@@ -13,7 +13,7 @@ import math
 import sys
 from typing import Any, Callable, Dict, List, Optional, Tuple
 
-# Angles for true extremes, where a row names no grid.
+# Angles of a revolution for true extremes, where a row names no grid.
 FINE = 7200
 
 Loads = Tuple[float, float, float, float, float]
@@ -149,7 +149,7 @@ class Suite:
             value = 0.0 if abs(reference) < 1e-6 else COMPARED[comparison["as_what"]](value, reference)
         if value is None:
             return None
-        return value / math.prod(row["divided_by"].values())
+        return value / float(math.prod(row["divided_by"].values()))
 
 
 def main() -> int:

@@ -26,8 +26,6 @@ mod gas_run;
 mod graph;
 mod inputs;
 mod method;
-mod mount;
-mod piston;
 mod quantity;
 mod render;
 mod result;
@@ -39,7 +37,6 @@ mod stress;
 mod suite;
 #[cfg(test)]
 mod tests;
-mod torsion;
 mod value;
 mod verdict;
 mod workshop;

@@ -18,25 +18,29 @@
 //! The flexible crankshaft over the cycle: [`CycleKey`]. Torsion: [`TorsionKey`]. Runs in time: [`RunKey`]. Workshop sheets:
 //! [`WorkshopKey`]. Mechanisms: [`MechanismKey`]. Oil films: [`FilmKey`].
 
+mod mount;
+mod piston;
+mod torsion;
+
 use crate::case::Run;
 use crate::crank_cycle::{CycleKey, cycle_of};
 use crate::gas::GasKey;
 use crate::graph::GraphKey;
 use crate::method::DeviceKey;
-use crate::mount::MountKey;
-use crate::piston::PistonKey;
 use crate::rigid_run::RunKey;
 use crate::shape::ShapeKey;
 use crate::standalone::film::FilmKey;
 use crate::standalone::mechanism::MechanismKey;
 use crate::stress::{StressKey, StressRun};
-use crate::torsion::TorsionKey;
 use crate::value::Value;
 use crate::workshop::WorkshopKey;
 use lanchester::mechanism::Part;
 use lanchester::model::Engine;
 use lanchester::results::{Extremes, LoadSet};
+use mount::MountKey;
 use num_complex::Complex64;
+use piston::PistonKey;
+use torsion::TorsionKey;
 
 /// A quantity of a run.
 pub(crate) enum Key {
