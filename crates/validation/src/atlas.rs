@@ -207,7 +207,8 @@ fn numbers(
     drawing: &Drawing,
 ) -> Result<Vec<AtlasNumber>, String> {
     let columns: Vec<String> = entry.column.iter().cloned().collect();
-    let rows = row_of(bench, source, table_of(source, &entry.table)?, &entry.quantity, &columns)?;
+    let asked = (entry.section.as_deref(), entry.quantity.as_str());
+    let rows = row_of(bench, source, table_of(source, &entry.table)?, asked, &columns)?;
     let drawn = match &entry.curve {
         None => None,
         Some(curve) => {
@@ -225,6 +226,9 @@ fn document(id: &str, source: &Source, entry: &FigureEntry, drawing: &Drawing) -
     let mut caption = format!("{}. From our numbers.", capital(&entry.title));
     if let Some(chosen) = &entry.chosen {
         caption += &format!(" Chosen: {chosen}");
+    }
+    if let Some(remark) = &entry.remark {
+        caption += &format!(" {remark}");
     }
     Figure {
         id: id.to_string(),

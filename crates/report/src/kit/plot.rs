@@ -115,6 +115,13 @@ pub(crate) fn value_axis(svg: &mut Svg, axis: &Axis, top: f64, bottom: f64) {
     }
 }
 
+/// The label of a tick below an axis, from its end; one that would be cut off ends with the drawing.
+pub(crate) fn tick_below(svg: &mut Svg, (x, bottom): (f64, f64), text: &str) {
+    let is_cut = x + 0.5 * text_width(text, 11.5) > svg.width;
+    let (at, anchor) = if is_cut { (svg.width, Anchor::End) } else { (x, Anchor::Middle) };
+    svg.text("small", (at, bottom + 17.0), anchor, text);
+}
+
 /// Rows of line samples with names, above the plot so that they never cover data.
 pub(crate) struct Legend {
     entries: Vec<(String, usize, (f64, f64))>,

@@ -3,8 +3,8 @@
 use crate::kit::axis::Axis;
 use crate::kit::figure::{Figure, Panel};
 use crate::kit::number::{self, Scale};
-use crate::kit::plot::{Legend, WIDTH};
-use crate::kit::svg::{Anchor, Path, Svg, text_width};
+use crate::kit::plot::{Legend, WIDTH, tick_below};
+use crate::kit::svg::{Anchor, Path, Svg};
 use lanchester_literature::{CrankLoad, CrankSweep, SweptCrank};
 
 const HEIGHT: f64 = 300.0;
@@ -129,10 +129,7 @@ fn draw(
     for &tick in &amounts.ticks {
         let x = amounts.place(tick, LEFT, right);
         svg.line("grid", (x, top), (x, bottom));
-        let text = number::fixed(tick, amounts.decimals);
-        let is_cut = x + 0.5 * text_width(&text, 11.5) > WIDTH;
-        let (at, anchor) = if is_cut { (WIDTH, Anchor::End) } else { (x, Anchor::Middle) };
-        svg.text("small", (at, bottom + 17.0), anchor, &text);
+        tick_below(&mut svg, (x, bottom), &number::fixed(tick, amounts.decimals));
     }
     let middle = (LEFT + right) / 2.0;
     svg.text("muted small", (middle, bottom + 37.0), Anchor::Middle, "counterweight of throw 1 [kg m]");

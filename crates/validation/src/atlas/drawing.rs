@@ -166,18 +166,26 @@ pub(crate) fn row_of(
     bench: &mut Bench,
     source: &Source,
     table: &Table,
-    quantity: &str,
+    (section, quantity): (Option<&str>, &str),
     columns: &[String],
 ) -> Result<Vec<RowResult>, String> {
-    let of = |row: &Row| row.quantity == quantity;
+    let of = |row: &Row| row.quantity == quantity && (section.is_none() || row.section.as_deref() == section);
+    if table.rows.iter().filter(|row| of(row)).count() > 1 {
+        return Err(format!("{} has more than one row {quantity:?}", table.table));
+    }
     let rows = validate_rows(bench, source, table, |row, column| {
         of(row) && (columns.is_empty() || column.is_some_and(|column| columns.contains(&column.name)))
     });
     if rows.is_empty() { Err(format!("{} has no row {quantity:?}", table.table)) } else { Ok(rows) }
 }
 
+/// Values of rows; what is less than a millionth of their last printed digit is rounding.
 fn numbers(rows: &[RowResult]) -> Result<Vec<f64>, String> {
-    rows.iter().map(|row| row.value.ok_or_else(|| row.ours.clone())).collect()
+    let of = |row: &RowResult| {
+        let value = row.value.ok_or_else(|| row.ours.clone())?;
+        Ok(if value.abs() < 1e-6 * row.tolerance.unwrap_or(0.0) { 0.0 } else { value })
+    };
+    rows.iter().map(of).collect()
 }
 
 fn over_table(
@@ -186,12 +194,12 @@ fn over_table(
     entry: &TableEntry,
 ) -> Result<Vec<PublishedCurves>, String> {
     let table = table_of(source, &entry.table)?;
-    let over = row_of(bench, source, table, &entry.abscissa, &[])?;
+    let over = row_of(bench, source, table, (None, &entry.abscissa), &[])?;
     let unit = over.first().map_or_else(String::new, |row| row.unit.clone());
     let over = numbers(&over)?;
     let mut found = Vec::new();
     for name in &entry.ordinates {
-        let rows = row_of(bench, source, table, name, &[])?;
+        let rows = row_of(bench, source, table, (None, name), &[])?;
         let points = over.iter().copied().zip(numbers(&rows)?).collect();
         found.push(PublishedCurves {
             quantity: name.clone(),
@@ -205,7 +213,7 @@ fn over_table(
 
 fn bars(bench: &mut Bench, source: &Source, entry: &BarsEntry) -> Result<PublishedBars, String> {
     let table = table_of(source, &entry.table)?;
-    let rows = row_of(bench, source, table, &entry.quantity, &entry.columns)?;
+    let rows = row_of(bench, source, table, (None, &entry.quantity), &entry.columns)?;
     let mut cases = Vec::new();
     for (row, value) in rows.iter().zip(numbers(&rows)?) {
         let number = row.column.as_deref().and_then(|name| name.parse().ok());
@@ -215,7 +223,7 @@ fn bars(bench: &mut Bench, source: &Source, entry: &BarsEntry) -> Result<Publish
         None => None,
         Some(level) => {
             let of = table_of(source, &level.table)?;
-            let value = numbers(&row_of(bench, source, of, &level.quantity, &[])?)?;
+            let value = numbers(&row_of(bench, source, of, (None, &level.quantity), &[])?)?;
             Some((level.name.clone(), value[0]))
         }
     };

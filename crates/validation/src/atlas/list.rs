@@ -96,6 +96,9 @@ pub(crate) struct FigureEntry {
 #[serde(deny_unknown_fields)]
 pub(crate) struct PrintedEntry {
     pub table: String,
+    /// Section of the running text, where several name the quantity.
+    #[serde(default)]
+    pub section: Option<String>,
     pub quantity: String,
     #[serde(default)]
     pub column: Option<String>,

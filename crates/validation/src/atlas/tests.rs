@@ -98,7 +98,10 @@ fn bars_are_the_rows_of_their_tables() {
         rows.map(|row| row.value.unwrap()).collect()
     };
     for (bars, quantity) in figure.bars.iter().zip(["Fres,max", "Mres,max"]) {
-        assert_eq!(bars.cases.iter().map(|(_, value)| *value).collect::<Vec<f64>>(), of(quantity));
+        for ((case, value), row) in bars.cases.iter().zip(of(quantity)) {
+            // Rounding is drawn as nothing.
+            assert!((value - row).abs() < 1e-9, "{quantity} {case}: {value} {row}");
+        }
     }
     let level = figure.bars[0].level.as_ref().unwrap().1;
     assert!((level - 5793.89).abs() < 0.005, "{level}");
