@@ -59,10 +59,10 @@ fn index(out: &mut String, source: &AtlasSource) {
 
 fn drawn(out: &mut String, figure: &AtlasFigure) {
     let title = format!("Figure {}: {}", figure.number, figure.title);
-    let _ = writeln!(out, "<figure id=\"{}\">", figure.id);
+    let _ = writeln!(out, "<figure id=\"{}\">\n<h3>{}</h3>", figure.id, escape(&title));
     match &figure.svg {
         Some(Err(why)) => {
-            let _ = writeln!(out, "<h3>{}</h3>\n<p>Cannot be drawn: {}</p>", escape(&title), escape(why));
+            let _ = writeln!(out, "<p>Cannot be drawn: {}</p>", escape(why));
         }
         _ => {
             let _ = writeln!(out, "<img src=\"{}\" alt=\"{}\">", figure.file(), escape(&title));
