@@ -170,10 +170,10 @@ fn bonds(pen: &mut Pen) {
     element(pen, 34.0, y, "Se");
     bond(pen, (54.0, y), (122.0, y), true);
     element(pen, 136.0, y, "1");
-    bond(pen, (150.0, y), (212.0, y), true);
+    bond(pen, (150.0, y), (206.0, y), true);
     // Flow is set by the transformer on the left, by the junction of the crank on the right.
-    element(pen, 230.0, y, "TF");
-    bond(pen, (250.0, y), (318.0, y), true);
+    element(pen, 230.0, y, "MTF");
+    bond(pen, (256.0, y), (318.0, y), true);
     element(pen, 332.0, y, "1");
     bond(pen, (346.0, y), (402.0, y), true);
     element(pen, 424.0, y, "I : J");
@@ -183,7 +183,7 @@ fn bonds(pen: &mut Pen) {
     element(pen, 332.0, low, "R : load");
     pen.symbol((88.0, y - 10.0), Anchor::Middle, "e");
     pen.symbol((88.0, y + 24.0), Anchor::Middle, "f");
-    pen.symbol((230.0, y - 22.0), Anchor::Middle, "s′");
+    pen.symbol((230.0, y - 22.0), Anchor::Middle, "s′(θ)");
     pen.remark((34.0, y - 24.0), Anchor::Middle, "gas");
     pen.remark((136.0, y - 46.0), Anchor::Middle, "piston");
     pen.symbol((136.0, y - 24.0), Anchor::Middle, "f = s′ w");

@@ -21,7 +21,7 @@ pub fn sketches() -> Vec<Sketch> {
             title: "Forces on piston and rod",
             says: "The gas presses on the piston with f towards the crank, the wall with N across; the rod presses on the piston pin with X and on the crankpin with R. \
                    The force of a light rod lies along the rod.",
-            size: (440.0, 545.0),
+            size: (440.0, 566.0),
             draw: piston_forces,
         },
         Sketch {
@@ -110,13 +110,15 @@ fn piston_forces(pen: &mut Pen) {
         pen.arrow("a1", plane.at((piston.0 + 84.0, across)), plane.at((piston.0 + 36.0, across)));
     }
     pen.symbol((236.0, 44.0), Anchor::Start, "f");
-    let scale = 2.4;
+    // X, R and N per f; N is small beside f.
+    const FORCE: f64 = 0.55;
+    let scale = 2.4 * FORCE;
     pen.arrow("a3", plane.at((piston.0, -58.0 - scale * n)), plane.at((piston.0, -58.0)));
     pen.symbol((84.0, 98.0), Anchor::Middle, "N");
-    pen.arrow("a2", plane.at(piston), plane.at((piston.0 + 0.9 * f, piston.1 - 0.9 * n)));
-    pen.symbol((166.0, 62.0), Anchor::End, "X");
-    pen.arrow("a2", plane.at(pin), plane.at((pin.0 - 0.9 * f, pin.1 + 0.9 * n)));
-    pen.symbol((290.0, 476.0), Anchor::Start, "R");
+    pen.arrow("a2", plane.at(piston), plane.at((piston.0 + FORCE * f, piston.1 - FORCE * n)));
+    pen.symbol((168.0, 116.0), Anchor::End, "X");
+    pen.arrow("a2", plane.at(pin), plane.at((pin.0 - FORCE * f, pin.1 + FORCE * n)));
+    pen.symbol((284.0, 432.0), Anchor::Start, "R");
     pen.angle(&plane, (0.0, 0.0), 34.0, [0.0, linkage.phi], "φ");
     let beta = linkage.rod_angle();
     pen.line("thin", plane.at(pin), plane.at((pin.0 + 130.0, pin.1)));
@@ -127,7 +129,7 @@ fn piston_forces(pen: &mut Pen) {
     pen.symbol((362.0, 78.0), Anchor::Start, "u");
     pen.arrow("a0", (352.0, 108.0), (394.0, 108.0));
     pen.symbol((398.0, 126.0), Anchor::Middle, "v");
-    pen.remark((16.0, 536.0), Anchor::Start, "drawn for a light piston and rod; N enlarged 2.4 times");
+    pen.remark((16.0, 556.0), Anchor::Start, "drawn for a light piston and rod; N enlarged");
 }
 
 fn ellipse(pen: &mut Pen) {
