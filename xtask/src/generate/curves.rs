@@ -7,6 +7,7 @@ use crate::documents;
 use crate::workspace::{root, scratch};
 use anyhow::{Context, Result, ensure};
 use serde_json::Value;
+use std::f64::consts::PI;
 use std::io::Write;
 use std::path::Path;
 use std::process::{Command, Stdio};
@@ -21,7 +22,7 @@ pub struct Curves {
 }
 
 /// All of them.
-pub const CURVES: [Curves; 4] = [
+pub const CURVES: [Curves; 6] = [
     Curves {
         name: "order-coefficients",
         title: "Order coefficients over the rod ratio",
@@ -39,6 +40,18 @@ pub const CURVES: [Curves; 4] = [
         title: "The optimum and its active angles",
         says: "Couple of an in-line three over the crank angle at its optimum: at the active angles it stands at the smallest peak that the devices allow, and the multipliers there prove it.",
         chart: active_angles,
+    },
+    Curves {
+        name: "damper-response",
+        title: "Twist of one order with three dampers",
+        says: "Twist of a six-cylinder crankshaft by order 6 over speed: with little damping a high peak, with very much another one at a lower speed; all curves pass through nearly one point, and the best damping has its peak there.",
+        chart: damper_response,
+    },
+    Curves {
+        name: "stress-concentration",
+        title: "Stress concentration over the fillet radius",
+        says: "The factors of pin and journal fillets over the radius of the fillet: all fall as the radius grows, those of bending most.",
+        chart: stress_concentration,
     },
     Curves {
         name: "bounds",
@@ -192,6 +205,70 @@ fn active_angles(program: &Path) -> Result<Chart<'static>> {
                 dots: None,
             },
         ],
+        labels: Vec::new(),
+    })
+}
+
+/// An example with one text of it in place of another, which it must have.
+fn changed(example: &str, from: &str, to: &str) -> Result<String> {
+    let text = std::fs::read_to_string(root().join(example))?;
+    ensure!(text.contains(from), "{example} has no {from}");
+    Ok(text.replace(from, to))
+}
+
+fn damper_response(program: &Path) -> Result<Chart<'static>> {
+    const ENGINE: &str = "examples/in-line-6-torsion.toml";
+    const GIVEN: &str = "damping = \"60 N m s/rad\"";
+    let tuned = asked(program, &["torsion", ENGINE, "--tune", "damping"], "")?;
+    let best = number(&tuned["tuned"]["damping"])?;
+    let cases =
+        [(20.0, "s2", "20 N m s/rad"), (best, "s0", "the best damping"), (400.0, "s1", "400 N m s/rad")];
+    let mut curves = Vec::new();
+    for (damping, class, name) in cases {
+        let engine = changed(ENGINE, GIVEN, &format!("damping = \"{damping} N m s/rad\""))?;
+        let sweep = &asked(program, &["torsion", "-"], &engine)?["sweep"];
+        let orders = numbers(&sweep["orders"])?;
+        let index = orders.iter().position(|order| *order == 6.0).context("no order 6")?;
+        let speeds = numbers(&sweep["speeds"])?.into_iter().map(|speed| speed * 30.0 / PI);
+        let twist = numbers(&sweep["twist"]["by_order"][index])?.into_iter().map(|twist| 1e3 * twist);
+        curves.push(Curve { name, class, points: speeds.zip(twist).collect(), dots: None });
+    }
+    Ok(Chart {
+        x: Axis { says: "speed [rpm]", ends: [600.0, 2600.0], step: 500.0, decimals: 0 },
+        y: Axis { says: "twist by order 6, amplitude [mrad]", ends: [0.0, 12.0], step: 3.0, decimals: 0 },
+        curves,
+        labels: Vec::new(),
+    })
+}
+
+fn stress_concentration(program: &Path) -> Result<Chart<'static>> {
+    let names = [
+        ("alpha_b", "α_B", "s0"),
+        ("alpha_t", "α_T = β_T", "s1"),
+        ("beta_b", "β_B", "s2"),
+        ("beta_q", "β_Q", "s3"),
+    ];
+    let mut points = vec![Vec::new(); names.len()];
+    for tenths in (15..=60).step_by(5) {
+        let radius = format!("fillet = \"{} mm\"", f64::from(tenths) / 10.0);
+        let engine = changed("examples/in-line-4-crank-by-elements.toml", "fillet = \"3 mm\"", &radius)?;
+        let sheet = asked(program, &["stress", "rule", "-"], &engine)?;
+        let web = &sheet["speeds"][0]["throws"][1]["webs"][0];
+        let ratio = number(&web["ratios"]["r_pin"])?;
+        for (list, (key, ..)) in points.iter_mut().zip(names) {
+            list.push((ratio, number(&web["factors"][key]["value"])?));
+        }
+    }
+    let curves = points.into_iter().zip(names).map(|(points, (_, name, class))| Curve {
+        name,
+        class,
+        points,
+        dots: None,
+    });
+    Ok(Chart {
+        x: Axis { says: "r = R_H/D = R_G/D", ends: [0.03, 0.13], step: 0.02, decimals: 2 },
+        y: Axis { says: "factor", ends: [1.0, 4.0], step: 1.0, decimals: 0 },
+        curves: curves.collect(),
         labels: Vec::new(),
     })
 }

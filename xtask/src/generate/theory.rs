@@ -10,7 +10,7 @@ macro_rules! picture {
 }
 
 /// All of them.
-pub const THEORY: [Written; 29] = [
+pub const THEORY: [Written; 30] = [
     shown(picture!("piston-motion"), &REPORT_THREE, "piston-motion.svg", &[0, 2]),
     shown(picture!("couple-stars"), &REPORT_THREE, "couple-stars.svg", &[0, 1]),
     shown(picture!("force-spectrum"), &REPORT_TWIN, "force-spectrum.svg", &[0]),
@@ -28,6 +28,7 @@ pub const THEORY: [Written; 29] = [
     shown(picture!("crankpin"), &BEARINGS_SINGLE, "crankpin-1.svg", &[0]),
     shown(picture!("film-orbit"), &FILM, "film-orbits.svg", &[1]),
     shown(picture!("film-thickness"), &FILM, "film-thickness.svg", &[0]),
+    shown(picture!("films-over-speed"), &FILM_SPEEDS, "films-over-speed.svg", &[0, 1]),
     shown(picture!("mount-force"), &MOUNTS, "mount-forces.svg", &[0]),
     shown(picture!("mount-mode"), &MOUNTS, "mount-modes.svg", &[3]),
     shown(picture!("campbell"), &TORSION, "torsion-campbell.svg", &[0]),
@@ -62,6 +63,13 @@ const TORQUE_SINGLE: [&str; 2] = ["torque", "examples/single-gas.toml"];
 const TORQUE_SET: [&str; 2] = ["torque", "examples/generator-set-3.toml"];
 const BEARINGS_SINGLE: [&str; 2] = ["bearings", "examples/single-gas.toml"];
 const FILM: [&str; 3] = ["bearings", "examples/in-line-4-crank-by-elements.toml", "--film"];
+const FILM_SPEEDS: [&str; 5] = [
+    "bearings",
+    "examples/in-line-4-crank-by-elements.toml",
+    "--film",
+    "--speeds",
+    "1000 rpm .. 6000 rpm by 500 rpm",
+];
 const MOUNTS: [&str; 2] = ["mounts", "examples/in-line-4-mounts.toml"];
 const TORSION: [&str; 2] = ["torsion", "examples/in-line-6-torsion.toml"];
 const TUNING: [&str; 4] = ["torsion", "examples/in-line-6-torsion.toml", "--tune", "damping"];
