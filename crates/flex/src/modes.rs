@@ -9,9 +9,12 @@ use crate::FlexError;
 use crate::case::StaticCase;
 use crate::eigen::symmetric_eigen;
 use crate::mesh::Mesh;
-use crate::sparse::{Factor, FactorPlan, Precision, Quantity, SolveEstimate, Structure, SymmetricMatrix};
+use crate::sparse::{
+    Factor, FactorPlan, Precision, Quantity, SolveEstimate, Structure, SymmetricMatrix, add, dot, norm,
+};
 use crate::statics::SolveOptions;
 use serde::Serialize;
+use std::ops::Range;
 
 /// Vectors that go through the factor together: clusters of no more modes are found at once.
 const BLOCK: usize = 4;
@@ -23,6 +26,13 @@ const RIGID: f64 = 1e-5;
 const WANTED: f64 = 1e-8;
 /// What rounding of a mode's shape and of `K x` leaves, over the size of the products that `K x` is summed from.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
+
+/// Share of a vector that its block leaves of it, below which it is taken from the whole basis anew.
+const SHRUNK: f64 = 0.1;
+/// Share of a vector beside the basis that is rounding.
+const NOTHING: f64 = 1e-13;
+/// Rows of vectors that are worked on together.
+const PIECE: usize = 1024;
 
 /// What mainly moves in a mode.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
@@ -182,41 +192,97 @@ pub(crate) struct Pairs {
 /// Vectors of the basis `q`, and `M q`.
 struct Basis<'a> {
     mass: &'a SymmetricMatrix,
+    /// Root of a usual diagonal entry of the mass.
+    usual: f64,
     q: Vec<Vec<f64>>,
     mq: Vec<Vec<f64>>,
 }
 
 impl Basis<'_> {
-    /// Takes the parts along the basis from a vector, twice; their sizes.
-    fn orthogonalise(&self, w: &mut [f64]) -> Vec<f64> {
-        let mut parts = vec![0.0; self.q.len()];
+    /// Takes the parts along the basis from `first` on from vectors, twice; their sizes, vector by vector.
+    fn orthogonalise(&self, first: usize, vectors: &mut [Vec<f64>]) -> Vec<Vec<f64>> {
+        let size = self.mass.size();
+        let mut parts = vec![vec![0.0; self.q.len() - first]; vectors.len()];
         for _ in 0..2 {
-            for (k, (q, mq)) in self.q.iter().zip(&self.mq).enumerate() {
-                let part = crate::sparse::dot(mq, w);
-                parts[k] += part;
-                for (w, q) in w.iter_mut().zip(q) {
-                    *w -= part * q;
+            let mut now = vec![vec![0.0; self.q.len() - first]; vectors.len()];
+            // Each piece of the basis is read once for all vectors.
+            for rows in pieces(size) {
+                for (k, mq) in self.mq[first..].iter().enumerate() {
+                    for (now, w) in now.iter_mut().zip(vectors.iter()) {
+                        now[k] += dot(&mq[rows.clone()], &w[rows.clone()]);
+                    }
                 }
+            }
+            for rows in pieces(size) {
+                for (k, q) in self.q[first..].iter().enumerate() {
+                    for (now, w) in now.iter().zip(vectors.iter_mut()) {
+                        add(&mut w[rows.clone()], -now[k], &q[rows.clone()]);
+                    }
+                }
+            }
+            for (parts, now) in parts.iter_mut().zip(now) {
+                add(parts, 1.0, &now);
+            }
+        }
+        parts
+    }
+
+    /// Adds what vectors have beside the basis, as long as it has not `most`: one that has nothing left, against its size before, is not
+    /// added. The parts of each along the basis, those of the block before it included.
+    fn extend(&mut self, mut vectors: Vec<Vec<f64>>, most: usize) -> Vec<Vec<f64>> {
+        let before: Vec<f64> = vectors.iter().map(|w| norm(w)).collect();
+        let first = self.q.len();
+        let mut parts = self.orthogonalise(0, &mut vectors);
+        for ((w, parts), before) in vectors.into_iter().zip(&mut parts).zip(before) {
+            // Beside one another too; what that takes nearly all of is taken from the whole basis anew.
+            let mut own = [w];
+            let left = norm(&own[0]);
+            parts.extend(self.orthogonalise(first, &mut own).remove(0));
+            if norm(&own[0]) < SHRUNK * left {
+                let more = self.orthogonalise(0, &mut own).remove(0);
+                add(parts, 1.0, &more);
+            }
+            let [w] = own;
+            if self.q.len() < most {
+                self.push(w, before);
             }
         }
         parts
     }
 
     /// Adds a vector that is orthogonal to the basis; one that has nothing left is not added.
-    fn push(&mut self, mut w: Vec<f64>, before: f64) -> bool {
+    fn push(&mut self, mut w: Vec<f64>, before: f64) {
         let mut mw = vec![0.0; w.len()];
         self.mass.multiply(&w, &mut mw);
-        let length = crate::sparse::dot(&w, &mw).max(0.0).sqrt();
-        if length <= 1e-13 * before {
-            return false;
+        let length = dot(&w, &mw).max(0.0).sqrt();
+        if length <= NOTHING * before * self.usual {
+            return;
         }
         for value in w.iter_mut().chain(mw.iter_mut()) {
             *value /= length;
         }
         self.q.push(w);
         self.mq.push(mw);
-        true
     }
+
+    /// Combinations of the basis.
+    fn combined<'a>(&self, shares: impl Iterator<Item = &'a [f64]> + Clone) -> Vec<Vec<f64>> {
+        let size = self.mass.size();
+        let mut sums: Vec<Vec<f64>> = shares.clone().map(|_| vec![0.0; size]).collect();
+        for rows in pieces(size) {
+            for (sum, shares) in sums.iter_mut().zip(shares.clone()) {
+                for (q, share) in self.q.iter().zip(shares) {
+                    add(&mut sum[rows.clone()], *share, &q[rows.clone()]);
+                }
+            }
+        }
+        sums
+    }
+}
+
+/// Pieces of vectors that stay in the fast memory of a processor.
+fn pieces(size: usize) -> impl Iterator<Item = Range<usize>> {
+    (0..size).step_by(PIECE).map(move |start| start..(start + PIECE).min(size))
 }
 
 /// The lowest modes by the factor of `K + s M`: value, vector of modal mass 1, residual.
@@ -229,7 +295,8 @@ pub(crate) fn lanczos(
 ) -> Result<Pairs, FlexError> {
     let size = mass.size();
     let most = (4 * count + 100).min(size);
-    let mut basis = Basis { mass, q: Vec::new(), mq: Vec::new() };
+    let usual = (mass.diagonal().iter().sum::<f64>() / size as f64).sqrt();
+    let mut basis = Basis { mass, usual, q: Vec::new(), mq: Vec::new() };
     let mut random = 0x9E37_79B9_7F4A_7C15u64;
     let mut draw = || {
         // Steele, Lea and Flood's SplitMix64: a start that is the same on every machine.
@@ -239,11 +306,8 @@ pub(crate) fn lanczos(
         z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
         (z ^ (z >> 31)) as f64 / u64::MAX as f64 - 0.5
     };
-    for _ in 0..BLOCK.min(size) {
-        let mut start: Vec<f64> = (0..size).map(|_| draw()).collect();
-        basis.orthogonalise(&mut start);
-        basis.push(start, 0.0);
-    }
+    let starts = (0..BLOCK.min(size)).map(|_| (0..size).map(|_| draw()).collect()).collect();
+    basis.extend(starts, most);
     // The projected operator, column after column.
     let mut columns: Vec<Vec<f64>> = Vec::new();
     let mut best = f64::INFINITY;
@@ -252,16 +316,7 @@ pub(crate) fn lanczos(
         let block = basis.q.len() - first;
         let mut sides: Vec<f64> = basis.mq[first..].concat();
         factor.solve(&mut sides);
-        for w in sides.chunks(size) {
-            let mut w = w.to_vec();
-            let before = crate::sparse::norm(&w);
-            let parts = basis.orthogonalise(&mut w);
-            columns.push(parts);
-            if basis.q.len() < most {
-                let scale = before * (mass.diagonal().iter().sum::<f64>() / size as f64).sqrt();
-                basis.push(w, scale);
-            }
-        }
+        columns.extend(basis.extend(sides.chunks(size).map(<[f64]>::to_vec).collect(), most));
         let done = columns.len();
         let exhausted = done == basis.q.len();
         if done < count + BLOCK && !exhausted {
@@ -288,17 +343,14 @@ pub(crate) fn lanczos(
         let mut found = Vec::with_capacity(wanted);
         // The residual over what is accepted of it.
         let mut over = 0.0f64;
-        for k in 0..wanted {
-            let vector = &vectors[(done - 1 - k) * done..(done - k) * done];
-            let mut x = vec![0.0; size];
-            for (q, share) in basis.q.iter().zip(vector) {
-                for (x, q) in x.iter_mut().zip(q) {
-                    *x += share * q;
-                }
+        let shapes = basis.combined(vectors.chunks(done).rev().take(wanted));
+        for some in shapes.chunks(BLOCK) {
+            let (stiff, massive) = (stiffness.multiply_all(some), mass.multiply_all(some));
+            for ((x, kx), mx) in some.iter().zip(&stiff).zip(&massive) {
+                let (mode, least) = checked(stiffness, x, kx, mx, shift);
+                over = over.max(mode.2 / WANTED.max(least));
+                found.push(mode);
             }
-            let (mode, least) = checked(stiffness, mass, x, shift);
-            over = over.max(mode.2 / WANTED.max(least));
-            found.push(mode);
         }
         best = best.min(over);
         if best <= 1.0 || exhausted {
@@ -318,33 +370,29 @@ pub(crate) fn lanczos(
     })
 }
 
-/// Rayleigh quotient, vector of modal mass one, residual; and the least residual that rounding leaves.
+/// Rayleigh quotient, vector of modal mass one, residual; and, where that is more than wanted, the least residual that rounding leaves.
 fn checked(
     stiffness: &SymmetricMatrix,
-    mass: &SymmetricMatrix,
-    mut x: Vec<f64>,
+    x: &[f64],
+    kx: &[f64],
+    mx: &[f64],
     shift: f64,
 ) -> ((f64, Vec<f64>, f64), f64) {
-    let (mut kx, mut mx) = (vec![0.0; x.len()], vec![0.0; x.len()]);
-    stiffness.multiply(&x, &mut kx);
-    mass.multiply(&x, &mut mx);
-    let modal = crate::sparse::dot(&x, &mx);
-    let value = crate::sparse::dot(&x, &kx) / modal;
-    let rest: Vec<f64> = kx.iter().zip(&mx).map(|(k, m)| k - value * m).collect();
-    let against =
-        if value.abs() < RIGID * shift { shift * crate::sparse::norm(&mx) } else { crate::sparse::norm(&kx) };
-    let residual = crate::sparse::norm(&rest) / against;
-    let mut sizes = vec![0.0; x.len()];
-    stiffness.multiply_sizes(&x, &mut sizes);
-    let least = ROUNDING * crate::sparse::norm(&sizes) / against;
-    let length = modal.sqrt();
+    let modal = dot(x, mx);
+    let value = dot(x, kx) / modal;
+    let rest: Vec<f64> = kx.iter().zip(mx).map(|(k, m)| k - value * m).collect();
+    let against = if value.abs() < RIGID * shift { shift * norm(mx) } else { norm(kx) };
+    let residual = norm(&rest) / against;
+    let mut least = 0.0;
+    if residual > WANTED {
+        let mut sizes = vec![0.0; x.len()];
+        stiffness.multiply_sizes(x, &mut sizes);
+        least = ROUNDING * norm(&sizes) / against;
+    }
     // The sign is that of the largest component: the same on every machine.
     let largest = x.iter().fold(0.0f64, |best, value| if value.abs() > best.abs() { *value } else { best });
-    let factor = largest.signum() / length;
-    for value in &mut x {
-        *value *= factor;
-    }
-    ((value, x, residual), least)
+    let factor = largest.signum() / modal.sqrt();
+    ((value, x.iter().map(|value| factor * value).collect(), residual), least)
 }
 
 /// Shares of the kinetic energy by slices along z: moving along x, along y, turning about z, motion along z.

@@ -4,7 +4,7 @@ use crate::case::{Fixed, NodeForce, StaticCase, rigid_motions};
 use crate::eigen::symmetric_eigen;
 use crate::mesh::Mesh;
 use crate::sparse::{
-    DenseTerm, Precision, Quantity, SolveEstimate, SolveReport, Solver, Structure, SymmetricMatrix,
+    DenseTerm, Precision, Quantity, SolveEstimate, SolveReport, Solver, Structure, SymmetricMatrix, add, dot,
 };
 use crate::{FlexError, element};
 use rayon::prelude::*;
@@ -62,6 +62,8 @@ pub struct StaticSystem<'a> {
     /// The same without terms that change.
     lasting: Option<SymmetricMatrix>,
     mass: Option<SymmetricMatrix>,
+    /// What balances loads where nothing holds the body.
+    relief: Option<Relief>,
     support: StaticCase,
     kept: Vec<bool>,
     solver: Solver,
@@ -113,6 +115,10 @@ impl<'a> StaticSystem<'a> {
         }
         let needs_mass = case.inertia_relief || case.speed != 0.0;
         let mass = needs_mass.then(|| structure.assemble(mesh, Quantity::Mass, &[]));
+        let relief = match &mass {
+            Some(mass) if case.inertia_relief => Some(Relief::new(mesh, &structure, mass)?),
+            _ => None,
+        };
         let mut kept = vec![true; full.size()];
         for fixed in &case.fixed {
             kept[structure.unknown(fixed.node, fixed.axis as usize)] = false;
@@ -123,7 +129,7 @@ impl<'a> StaticSystem<'a> {
             }
         }
         let solver = Solver::new(full.restricted(&kept), options.precision, options.memory, watch)?;
-        Ok(StaticSystem { mesh, structure, full, lasting, mass, support: case.clone(), kept, solver })
+        Ok(StaticSystem { mesh, structure, full, lasting, mass, relief, support: case.clone(), kept, solver })
     }
 
     /// Gives the terms that may change other values, and factors anew.
@@ -183,35 +189,33 @@ impl<'a> StaticSystem<'a> {
             if given.iter().any(|value| *value != 0.0) {
                 self.full.multiply(&given, &mut drag);
             }
-            let (mut load, mut accelerations) = (self.load(case)?, None);
-            if self.support.inertia_relief {
-                accelerations = Some(relieve(self.mesh, &self.structure, self.mass()?, &mut load)?);
-            }
+            let mut load = self.load(case)?;
+            let accelerations = self.relief.as_ref().map(|relief| relief.balance(&mut load));
             let side: Vec<f64> = (0..size).filter(|k| self.kept[*k]).map(|k| load[k] - drag[k]).collect();
             sides.push(side);
             loads.push((given, load, accelerations));
         }
         let (solutions, report) = self.solver.solve(&sides)?;
-        let solution = |(free, (mut u, load, accelerations)): (Vec<f64>, Loaded)| {
+        for (free, (u, ..)) in solutions.into_iter().zip(&mut loads) {
             let mut values = free.into_iter();
             for k in (0..size).filter(|k| self.kept[*k]) {
                 u[k] = values.next().unwrap_or_default();
             }
-            self.solution(&u, &load, accelerations, report)
-        };
-        Ok(solutions.into_iter().zip(loads).map(solution).collect())
+        }
+        let moved: Vec<&[f64]> = loads.iter().map(|(u, ..)| u.as_slice()).collect();
+        let internal = self.full.multiply_all(&moved);
+        let solution = |(loaded, internal): (&Loaded, Vec<f64>)| self.solution(loaded, &internal, report);
+        Ok(loads.iter().zip(internal).map(solution).collect())
     }
 
+    /// From displacements and loads, and the forces that the displacements need.
     fn solution(
         &self,
-        u: &[f64],
-        load: &[f64],
-        accelerations: Option<[f64; 6]>,
+        (u, load, accelerations): &Loaded,
+        internal: &[f64],
         report: SolveReport,
     ) -> StaticSolution {
-        let mut internal = vec![0.0; u.len()];
-        self.full.multiply(u, &mut internal);
-        let energy = 0.5 * internal.iter().zip(u).map(|(f, u)| f * u).sum::<f64>();
+        let energy = 0.5 * dot(internal, u);
         let rest = |k: usize| if self.kept[k] { 0.0 } else { internal[k] - load[k] };
         let held: Vec<f64> = (0..u.len()).map(rest).collect();
         let reactions = self.structure.scatter(&held);
@@ -238,7 +242,7 @@ impl<'a> StaticSystem<'a> {
             reaction,
             reactions,
             spring_forces,
-            accelerations,
+            accelerations: *accelerations,
             report,
         }
     }
@@ -300,7 +304,7 @@ pub fn as_node_forces(mesh: &Mesh, case: &StaticCase) -> Result<StaticCase, Flex
         add_centrifugal(mesh, &structure, &mass, case.speed, &mut load);
     }
     if case.inertia_relief {
-        relieve(mesh, &structure, &mass, &mut load)?;
+        Relief::new(mesh, &structure, &mass)?.balance(&mut load);
         for (node, axis) in anchors(mesh) {
             plain = plain.hold(&[node], axis as u8, 0.0);
         }
@@ -316,40 +320,46 @@ pub fn as_node_forces(mesh: &Mesh, case: &StaticCase) -> Result<StaticCase, Flex
 /// ```text
 /// (R^T M R) a = R^T f        f - M R a        R: the six rigid motions                   (book, eq. 43.7)
 /// ```
-fn relieve(
-    mesh: &Mesh,
-    structure: &Structure,
-    mass: &SymmetricMatrix,
-    load: &mut [f64],
-) -> Result<[f64; 6], FlexError> {
-    let size = load.len();
-    let motions: Vec<Vec<f64>> = rigid_motions(mesh).iter().map(|motion| structure.gather(motion)).collect();
-    let mut carried = vec![vec![0.0; size]; 6];
-    for (motion, carried) in motions.iter().zip(&mut carried) {
-        mass.multiply(motion, carried);
-    }
-    let product = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
-    let gram: Vec<f64> = motions.iter().flat_map(|a| carried.iter().map(move |b| product(a, b))).collect();
-    let (values, vectors) = symmetric_eigen(&gram, 6);
-    if values[0] <= 1e-12 * values[5] {
-        return Err(FlexError::FreeMotion { motion: "a body without mass has no inertia".to_owned() });
-    }
-    let force: Vec<f64> = motions.iter().map(|motion| product(motion, load)).collect();
-    let mut acceleration = [0.0; 6];
-    for (value, vector) in values.iter().zip(vectors.chunks(6)) {
-        let share = product(vector, &force) / value;
-        for k in 0..6 {
-            acceleration[k] += share * vector[k];
+struct Relief {
+    /// `R`.
+    motions: Vec<Vec<f64>>,
+    /// `M R`.
+    carried: Vec<Vec<f64>>,
+    /// Eigenvalues and vectors of `R^T M R`.
+    inertia: (Vec<f64>, Vec<f64>),
+    /// The turns of the motions are in units of it.
+    reach: f64,
+}
+
+impl Relief {
+    fn new(mesh: &Mesh, structure: &Structure, mass: &SymmetricMatrix) -> Result<Relief, FlexError> {
+        let motions: Vec<Vec<f64>> =
+            rigid_motions(mesh).iter().map(|motion| structure.gather(motion)).collect();
+        let carried = mass.multiply_all(&motions);
+        let gram: Vec<f64> = motions.iter().flat_map(|a| carried.iter().map(move |b| dot(a, b))).collect();
+        let inertia = symmetric_eigen(&gram, 6);
+        if inertia.0[0] <= 1e-12 * inertia.0[5] {
+            return Err(FlexError::FreeMotion { motion: "a body without mass has no inertia".to_owned() });
         }
+        Ok(Relief { motions, carried, inertia, reach: reach(mesh) })
     }
-    for (carried, a) in carried.iter().zip(acceleration) {
-        for (load, carried) in load.iter_mut().zip(carried) {
-            *load -= a * carried;
+
+    /// The accelerations: along the axes and about them.
+    fn balance(&self, load: &mut [f64]) -> [f64; 6] {
+        let force: Vec<f64> = self.motions.iter().map(|motion| dot(motion, load)).collect();
+        let mut acceleration = [0.0; 6];
+        let (values, vectors) = &self.inertia;
+        for (value, vector) in values.iter().zip(vectors.chunks(6)) {
+            let share = dot(vector, &force) / value;
+            for k in 0..6 {
+                acceleration[k] += share * vector[k];
+            }
         }
+        for (carried, a) in self.carried.iter().zip(acceleration) {
+            add(load, -a, carried);
+        }
+        std::array::from_fn(|k| if k < 3 { acceleration[k] } else { acceleration[k] / self.reach })
     }
-    // The turns of the motions are in units of the reach of the mesh: the first node off the middle tells it.
-    let reach = reach(mesh);
-    Ok(std::array::from_fn(|k| if k < 3 { acceleration[k] } else { acceleration[k] / reach }))
 }
 
 /// Solves one case.

@@ -229,23 +229,24 @@ pub(crate) fn project(
     let mut m = vec![0.0; size * size];
     let mut g = vec![0.0; size * size];
     let mut n = vec![0.0; size * size];
-    let mut image = vec![0.0; full];
-    for column in 0..size {
-        stiffness.multiply(&vectors[column], &mut image);
-        for row in 0..=column.min(boundary.saturating_sub(1)) {
-            let value = if column < boundary { dot(&vectors[row], &image) } else { 0.0 };
+    // Modes hang together with nothing in the stiffness.
+    for (column, image) in stiffness.multiply_all(&vectors[..boundary]).iter().enumerate() {
+        for row in 0..=column {
+            let value = dot(&vectors[row], image);
             (k[row * size + column], k[column * size + row]) = (value, value);
         }
-        mass.multiply(&vectors[column], &mut image);
+    }
+    for (column, image) in mass.multiply_all(vectors).iter().enumerate() {
         for row in 0..=column {
-            let value = dot(&vectors[row], &image);
+            let value = dot(&vectors[row], image);
             (m[row * size + column], m[column * size + row]) = (value, value);
         }
-        mass.multiply(&spun[column], &mut image);
+    }
+    for (column, image) in mass.multiply_all(&spun).iter().enumerate() {
         for row in 0..size {
-            g[row * size + column] = dot(&vectors[row], &image);
+            g[row * size + column] = dot(&vectors[row], image);
             if row <= column {
-                let value = dot(&spun[row], &image);
+                let value = dot(&spun[row], image);
                 (n[row * size + column], n[column * size + row]) = (value, value);
             }
         }

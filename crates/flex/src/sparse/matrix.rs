@@ -2,6 +2,11 @@
 
 use std::sync::Arc;
 
+/// Vectors that share each entry of the matrix that is read.
+const TOGETHER: usize = 4;
+/// Sums that a scalar product runs side by side.
+const LANES: usize = 8;
+
 /// Where the entries of the lower triangle are.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Pattern {
@@ -53,6 +58,39 @@ impl SymmetricMatrix {
         }
     }
 
+    /// `A x` of several vectors: some of them share each entry of the matrix that is read.
+    pub fn multiply_all<V: AsRef<[f64]>>(&self, vectors: &[V]) -> Vec<Vec<f64>> {
+        vectors.chunks(TOGETHER).flat_map(|some| self.multiply_some(some)).collect()
+    }
+
+    fn multiply_some<V: AsRef<[f64]>>(&self, vectors: &[V]) -> Vec<Vec<f64>> {
+        let size = self.size();
+        let mut x = vec![[0.0; TOGETHER]; size];
+        for (k, vector) in vectors.iter().enumerate() {
+            let vector = vector.as_ref();
+            assert_eq!(vector.len(), size, "invariant: a vector has as many entries as the matrix has columns");
+            x.iter_mut().zip(vector).for_each(|(x, value)| x[k] = *value);
+        }
+        let mut y = vec![[0.0; TOGETHER]; size];
+        for column in 0..size {
+            let range = self.pattern.starts[column] as usize..self.pattern.starts[column + 1] as usize;
+            let (rows, values) = (&self.pattern.rows[range.clone()], &self.values[range]);
+            let factors = x[column];
+            let mut sums = factors.map(|factor| values[0] * factor);
+            for (row, value) in rows[1..].iter().zip(&values[1..]) {
+                let (to, from) = (&mut y[*row as usize], &x[*row as usize]);
+                for k in 0..TOGETHER {
+                    to[k] += value * factors[k];
+                    sums[k] += value * from[k];
+                }
+            }
+            for (to, sum) in y[column].iter_mut().zip(sums) {
+                *to += sum;
+            }
+        }
+        (0..vectors.len()).map(|k| y.iter().map(|row| row[k]).collect()).collect()
+    }
+
     /// `x^T A x`.
     pub fn form(&self, x: &[f64]) -> f64 {
         let mut y = vec![0.0; x.len()];
@@ -96,7 +134,20 @@ impl SymmetricMatrix {
 
 /// Scalar product.
 pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
+    let (wholes, rest) = (a.chunks_exact(LANES), b.chunks_exact(LANES));
+    let tail: f64 = wholes.remainder().iter().zip(rest.remainder()).map(|(a, b)| a * b).sum();
+    let mut sums = [0.0; LANES];
+    for (a, b) in wholes.zip(rest) {
+        for k in 0..LANES {
+            sums[k] += a[k] * b[k];
+        }
+    }
+    sums.iter().sum::<f64>() + tail
+}
+
+/// `y += a x`.
+pub(crate) fn add(y: &mut [f64], a: f64, x: &[f64]) {
+    y.iter_mut().zip(x).for_each(|(y, x)| *y += a * x);
 }
 
 /// Euclidean norm.

@@ -9,6 +9,6 @@ mod solve;
 pub use assembly::{DenseTerm, Quantity, Structure};
 pub use factor::{Factor, FactorPlan, Precision, SolveEstimate, make_product};
 pub use matrix::{Pattern, SymmetricMatrix};
-pub(crate) use matrix::{dot, norm};
+pub(crate) use matrix::{add, dot, norm};
 pub use order::{nested_dissection, postorder};
 pub use solve::{SolveReport, Solver};

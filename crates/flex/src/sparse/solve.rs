@@ -1,7 +1,7 @@
 //! Solutions whose residual is always known: a factor in single precision with conjugate gradients in double, or a double one.
 
 use super::factor::{Factor, FactorPlan, Precision, SolveEstimate};
-use super::matrix::{SymmetricMatrix, dot, norm};
+use super::matrix::{SymmetricMatrix, add, dot, norm};
 use crate::FlexError;
 use serde::Serialize;
 
@@ -182,7 +182,6 @@ impl Solver {
         let mut r: Vec<Vec<f64>> = sides.to_vec();
         let mut p = vec![vec![0.0; size]; count];
         let mut before = vec![0.0; count];
-        let mut product = vec![0.0; size];
         let wanted: Vec<f64> = sides.iter().map(|side| WANTED * norm(side)).collect();
         let mut steps = 0;
         for step in 1..=ITERATIONS {
@@ -201,18 +200,17 @@ impl Solver {
                 for (p, z) in p[k].iter_mut().zip(z) {
                     *p = z + share * *p;
                 }
-                self.matrix.multiply(&p[k], &mut product);
-                let length = now / dot(&p[k], &product);
-                for i in 0..size {
-                    u[k][i] += length * p[k][i];
-                    r[k][i] -= length * product[i];
-                }
+            }
+            let along: Vec<&[f64]> = open.iter().map(|k| p[*k].as_slice()).collect();
+            for (product, k) in self.matrix.multiply_all(&along).iter().zip(open) {
+                let length = before[k] / dot(&p[k], product);
+                add(&mut u[k], length, &p[k]);
+                add(&mut r[k], -length, product);
             }
         }
         // The residual itself, not what the recurrence says of it.
         let mut worst = 0.0f64;
-        for (u, side) in u.iter().zip(sides) {
-            self.matrix.multiply(u, &mut product);
+        for (product, side) in self.matrix.multiply_all(&u).iter().zip(sides) {
             let error: Vec<f64> = product.iter().zip(side).map(|(a, b)| a - b).collect();
             let scale = norm(side);
             if scale > 0.0 {

@@ -17,7 +17,7 @@ use crate::crank_mesh::CrankMesh;
 use crate::eigen::symmetric_eigen;
 use crate::modes::{ModeKind, modes_watched};
 use crate::reduction::project;
-use crate::sparse::{Quantity, SolveEstimate, Structure, SymmetricMatrix, dot};
+use crate::sparse::{Quantity, SolveEstimate, Structure, SymmetricMatrix, add, dot};
 use crate::statics::{SolveOptions, StaticSystem};
 use serde::Serialize;
 use std::f64::consts::FRAC_2_PI;
@@ -136,11 +136,9 @@ pub fn crank_basis(
     // Diagonal stiffness of what deforms.
     let count = elastic.len();
     let mut reduced = vec![0.0; count * count];
-    let mut image = vec![0.0; stiffness.size()];
-    for column in 0..count {
-        stiffness.multiply(&elastic[column], &mut image);
+    for (column, image) in stiffness.multiply_all(elastic).iter().enumerate() {
         for row in 0..=column {
-            let value = dot(&elastic[row], &image);
+            let value = dot(&elastic[row], image);
             (reduced[row * count + column], reduced[column * count + row]) = (value, value);
         }
     }
@@ -149,7 +147,7 @@ pub fn crank_basis(
     for shape in shapes.chunks(count.max(1)) {
         let mut vector = vec![0.0; stiffness.size()];
         for (share, own) in shape.iter().zip(elastic) {
-            vector.iter_mut().zip(own).for_each(|(to, from)| *to += share * from);
+            add(&mut vector, *share, own);
         }
         basis.push(vector);
     }
@@ -217,7 +215,7 @@ impl Orthonormal<'_> {
         for _ in 0..3 {
             for (own, image) in self.vectors.iter().zip(&self.images) {
                 let share = dot(image, &vector);
-                vector.iter_mut().zip(own).for_each(|(to, from)| *to -= share * from);
+                add(&mut vector, -share, own);
             }
         }
         self.mass.multiply(&vector, &mut image);

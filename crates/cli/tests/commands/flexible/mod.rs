@@ -25,8 +25,8 @@ web_thickness = "20 mm"
 web_radius = "40 mm"
 pin_end_radius = "36 mm"
 end_journals = ["25 mm", "25 mm"]
-pin_fillet = "4 mm"
-journal_fillet = "4 mm"
+pin_fillet = "6 mm"
+journal_fillet = "6 mm"
 [crank.material]
 preset = "42CrMo4 quenched and tempered"
 [piston]
@@ -290,8 +290,9 @@ fn a_mesh_of_its_own_takes_the_place_of_the_body() {
 
 #[test]
 fn three_meshes_give_a_band() {
-    let folder = engine("stress-converge", str::to_owned);
-    let size = ["--size", "30 mm", "--fillet-elements", "2"];
+    // The finest mesh has half as many nodes as with fillets of 6 mm.
+    let folder = engine("stress-converge", |text| text.replace("fillet = \"6 mm\"", "fillet = \"8 mm\""));
+    let size = ["--size", "40 mm", "--fillet-elements", "2"];
     let rest = ["--force", "1: -20 kN", "--converge", "--figures", "pictures", "--format", "json"];
     let json = output_json(&folder, 0, &[&["stress", "static", "engine.toml"], &size[..], &rest].concat());
     let picture = fs::read_to_string(folder.join("pictures/stress-contours.svg")).unwrap();
@@ -378,11 +379,11 @@ fn what_cannot_be_computed_is_refused() {
         assert!(words.contains(wanted) && words.contains("hint:"), "{rest:?}: {words}");
     }
     // A sharp corner's stress is refused, and a crankshaft of sharp corners altogether.
-    let sharp = engine("stress-sharp", |text| text.replace("pin_fillet = \"4 mm\"\n", ""));
+    let sharp = engine("stress-sharp", |text| text.replace("pin_fillet = \"6 mm\"\n", ""));
     let text = output(&sharp, 0, &words(&["static", "--force", "1: -20 kN"]));
     assert!(text.contains("pin 1 at web 1 (sharp: stress unbounded)"), "{text}");
     let sharp = engine("stress-sharper", |text| {
-        text.replace("pin_fillet = \"4 mm\"\njournal_fillet = \"4 mm\"\n", "")
+        text.replace("pin_fillet = \"6 mm\"\njournal_fillet = \"6 mm\"\n", "")
     });
     let refused = message(&sharp, 2, &words(&["static", "--force", "1: -20 kN"]));
     assert!(refused.contains("sharp corner") && refused.contains("pin_fillet"), "{refused}");
@@ -432,7 +433,7 @@ fn a_safety_below_the_rule_and_a_size_outside_its_range_are_status_1() {
     let weak = rule(&folder, 1, &["--torsional-vibration", "4 kN m"]);
     assert!(weak.contains("below the 1.15 of the rule") && weak.contains("below the rule"), "{weak}");
     let folder =
-        engine("stress-rule-range", |text| text.replace("pin_fillet = \"4 mm\"", "pin_fillet = \"1 mm\""));
+        engine("stress-rule-range", |text| text.replace("pin_fillet = \"6 mm\"", "pin_fillet = \"1 mm\""));
     let outside = rule(&folder, 1, &[]);
     for words in [
         "Web 1: r = R_H/D = 0.0208 is below the range 0.03 to 0.13 by 0.0092",
@@ -446,7 +447,7 @@ fn a_safety_below_the_rule_and_a_size_outside_its_range_are_status_1() {
 #[test]
 fn a_sheet_names_all_that_it_lacks() {
     let folder = engine("stress-rule-lacks", |text| {
-        text.replace("journal_fillet = \"4 mm\"", "")
+        text.replace("journal_fillet = \"6 mm\"", "")
             .replace("preset = \"42CrMo4 quenched and tempered\"", "")
     });
     let words = message(&folder, 2, &["stress", "rule", "engine.toml"]);
