@@ -79,6 +79,19 @@ pub fn write_vtu(mesh: &Mesh, fields: &[NodeField]) -> Vec<u8> {
     file
 }
 
+/// A collection of files over time for ParaView (`.pvd`): time and name of each.
+pub fn write_collection(files: &[(f64, String)]) -> String {
+    let mut text = String::from(
+        "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n<Collection>\n",
+    );
+    for (time, name) in files {
+        let name = name.replace('&', "&amp;").replace('<', "&lt;").replace('"', "&quot;");
+        let _ = writeln!(text, "<DataSet timestep=\"{time}\" group=\"\" part=\"0\" file=\"{name}\"/>");
+    }
+    text.push_str("</Collection>\n</VTKFile>\n");
+    text
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -111,5 +124,14 @@ mod tests {
         assert_eq!(f64::from_le_bytes(file[first + 8..first + 16].try_into().unwrap()), values[1]);
         assert_eq!(&file[start + offsets[4] + 8..][..2], [26, 26]);
         assert!(file.ends_with(b"</VTKFile>\n"));
+    }
+
+    #[test]
+    fn names_of_a_collection_are_escaped() {
+        let text = write_collection(&[(7.5, "a & b-1.vtu".to_owned())]);
+        assert!(
+            text.contains("<DataSet timestep=\"7.5\" group=\"\" part=\"0\" file=\"a &amp; b-1.vtu\"/>"),
+            "{text}"
+        );
     }
 }

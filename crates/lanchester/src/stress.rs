@@ -20,7 +20,7 @@ pub(crate) mod throws;
 pub use converge::{converged_modes, converged_stress};
 pub use cycle::{CycleRequest, CycleStage, crank_cycle};
 pub use deck::solve_deck;
-pub use export::{case_deck, case_glb, case_stl, case_vtu, modes_deck, modes_glb, modes_vtu};
+pub use export::{case_deck, case_glb, case_stl, case_vtu, cases_pvd, modes_deck, modes_glb, modes_vtu};
 pub use fatigue::{FatigueRequest, crank_fatigue};
 pub use file_case::stress_case;
 pub use mesh::{MOST_NODES, MeshFile, StressMesh};

@@ -39,6 +39,7 @@ pub enum StressCommand {
         after_help = "Examples:\n  lanchester stress export four.toml --force '1: -65 kN, 10.7 kN' --output case.inp\n  \
                             lanchester stress export four.toml --angle '7 deg' --output case.vtu\n  \
                             lanchester stress export four.toml --angle '7 deg' --output case.glb\n  \
+                            lanchester stress export four.toml --angle '0 deg .. 720 deg by 10 deg' --speed '4000 rpm' --output cycle.pvd\n  \
                             lanchester stress export four.toml --modes 10 --output modes.vtu"
     )]
     Export(ExportArguments),
@@ -145,8 +146,8 @@ pub struct LoadArguments {
         conflicts_with_all = ["angle", "force", "speed", "support", "stiffness", "ring_thickness", "ring_modulus", "crankshaft"]
     )]
     pub case: Option<String>,
-    /// One crank angle, with its unit; with `--force` the one at which springs with two stiffnesses hold. Default: angles of the largest radial, tangential and resultant force on each pin and firing top dead centres.
-    #[arg(long, value_name = "ANGLE", allow_hyphen_values = true)]
+    /// Crank angle with its unit, a list of them or a range such as `0 deg .. 720 deg by 10 deg`; with `--force` the one at which springs with two stiffnesses hold. Default: angles of the largest radial, tangential and resultant force on each pin and firing top dead centres.
+    #[arg(long, value_name = "ANGLES", allow_hyphen_values = true)]
     pub angle: Option<String>,
     /// Force on a pin instead, `PIN: RADIAL, TANGENTIAL` with units: radial positive away from the crank axis, tangential positive where it drives
     /// the crankshaft. May be given several times; all act at once.
@@ -231,7 +232,7 @@ pub struct ExportArguments {
     /// What holds it.
     #[command(flatten)]
     pub support: SupportArguments,
-    /// What loads it; of several cases the one with the largest fillet stress is written.
+    /// What loads it; of several cases the one with the largest fillet stress is written, into a `.pvd` all of them.
     #[command(flatten)]
     pub load: LoadArguments,
     /// Modes instead of a static case: how many.
@@ -240,8 +241,9 @@ pub struct ExportArguments {
     /// By how much displacements are shown in `.glb` (a round number unless given) and `.stl` (0 unless given).
     #[arg(long, value_name = "FACTOR")]
     pub deformation: Option<f64>,
-    /// File to write: `.inp` (CalculiX; N, mm, tonne, s, MPa), `.vtu` (ParaView; SI), `.glb` (viewers: stress as colours, deformation and modes as
-    /// animated morph targets; m) or `.stl` (surface alone; mm).
+    /// File to write: `.inp` (CalculiX; N, mm, tonne, s, MPa), `.vtu` (ParaView; SI), `.pvd` (ParaView: all load cases, each in a `.vtu` of its own
+    /// beside it, over the crank angle in degrees), `.glb` (viewers: stress as colours, deformation and modes as animated morph targets; m) or `.stl`
+    /// (surface alone; mm).
     #[arg(long, short, value_name = "FILE")]
     pub output: PathBuf,
 }

@@ -20,6 +20,9 @@ use lanchester::{
     CycleRequest, FatigueRequest, GivenForce, RuleRequest, StaticRequest, StressLoad, StressMesh, stress_case,
 };
 
+/// Most crank angles of static cases.
+const MOST_ANGLES: usize = 360;
+
 /// Which crankshaft, how fine.
 ///
 /// `usual`: elements across a fillet where neither the option nor the file says how many.
@@ -228,9 +231,8 @@ pub fn static_request(
 fn loads(own: &LoadArguments, held: &CrankSupport) -> Result<(StressLoad, Vec<f64>), Failure> {
     let speed = |text: &String| option::speed(text, "--speed").map_err(Failure::from);
     let speeds = own.speed.iter().map(speed).collect::<Result<Vec<f64>, Failure>>()?;
-    let angle = own.angle.as_deref().map(|text| option::angle(text, "--angle")).transpose()?;
-    let load = match (angle, own.force.is_empty()) {
-        (Some(angle), true) => StressLoad::Angle(angle),
+    let load = match (&own.angle, own.force.is_empty()) {
+        (Some(text), true) => StressLoad::Angles(angles(text)?),
         (None, true) => StressLoad::Extremes,
         (Some(_), false) if !held.depends_on_angle() => {
             return Err(Failure::input(
@@ -239,11 +241,27 @@ fn loads(own: &LoadArguments, held: &CrankSupport) -> Result<(StressLoad, Vec<f6
             ));
         }
         (angle, false) => {
+            let angle = angle.as_deref().map(|text| option::angle(text, "--angle")).transpose()?;
             let forces = own.force.iter().map(|text| force(text)).collect::<Result<_, Failure>>()?;
             StressLoad::Given { forces, angle }
         }
     };
     Ok((load, speeds))
+}
+
+/// Crank angles: one, a list, a range.
+fn angles(text: &str) -> Result<Vec<f64>, Failure> {
+    let angles = value_list(text, "--angle", |one| option::angle(one, "--angle").map_err(Failure::from))?;
+    if angles.len() > MOST_ANGLES {
+        return Err(Failure::input(
+            format_args!(
+                "--angle has {} angles, and each keeps the stress of the whole crankshaft: at most {MOST_ANGLES}",
+                angles.len()
+            ),
+            "take larger steps, or ask for a part of the cycle at a time; `stress fatigue` and `stress cycle` go over the whole cycle at the fillets",
+        ));
+    }
+    Ok(angles)
 }
 
 /// `1: -65 kN, 10.7 kN`: pin, radial and tangential force; the second one may be left out.

@@ -68,7 +68,11 @@ impl SymmetricMatrix {
         let mut x = vec![[0.0; TOGETHER]; size];
         for (k, vector) in vectors.iter().enumerate() {
             let vector = vector.as_ref();
-            assert_eq!(vector.len(), size, "invariant: a vector has as many entries as the matrix has columns");
+            assert_eq!(
+                vector.len(),
+                size,
+                "invariant: a vector has as many entries as the matrix has columns"
+            );
             x.iter_mut().zip(vector).for_each(|(x, value)| x[k] = *value);
         }
         let mut y = vec![[0.0; TOGETHER]; size];

@@ -13,5 +13,6 @@ mod own_mesh;
 mod reduction;
 mod rings;
 mod springs;
+mod stepped_shaft;
 mod submodel;
 mod train;

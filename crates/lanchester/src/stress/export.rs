@@ -8,7 +8,7 @@ use lanchester_flex::deck::{Analysis, write_deck};
 use lanchester_flex::modes::Mode;
 use lanchester_flex::picture::{Morph, colour, glb, shown_factor, stl};
 use lanchester_flex::statics::as_node_forces;
-use lanchester_flex::vtu::{NodeField, write_vtu};
+use lanchester_flex::vtu::{NodeField, write_collection, write_vtu};
 use lanchester_report::{CrankModes, StaticStress, StressCase};
 
 /// A case as a deck that CalculiX runs unchanged (N, mm, tonne, s, MPa): centrifugal field and inertia relief as forces on nodes,
@@ -49,6 +49,27 @@ pub fn case_vtu(stress: &StaticStress, case: &StressCase) -> Vec<u8> {
     ];
     let fields = fields.map(|(name, components, values)| field(name, components, values));
     write_vtu(&stress.sheet.crank.mesh, &fields)
+}
+
+/// All cases over the crank angle [deg] for ParaView: the collection, and for each case the name of its file and what stands in it
+/// ([`case_vtu`]). Cases without an angle, and those of several speeds, which have each angle several times, are numbered from 1 in place of it.
+pub fn cases_pvd<'a>(
+    stress: &'a StaticStress,
+    stem: &'a str,
+) -> (String, impl Iterator<Item = (String, Vec<u8>)> + 'a) {
+    let name = move |k: usize| format!("{stem}-{:03}.vtu", k + 1);
+    let mut angles: Vec<f64> =
+        stress.cases.iter().filter_map(|case| case.theta.map(f64::to_degrees)).collect();
+    let speed = stress.cases.first().map(|case| case.speed);
+    if angles.len() < stress.cases.len() || stress.cases.iter().any(|case| Some(case.speed) != speed) {
+        angles = (1..=stress.cases.len()).map(|number| number as f64).collect();
+    }
+    // Without what conversion to degrees leaves behind the ninth place.
+    let time = |angle: f64| (1e9 * angle).round() / 1e9;
+    let files: Vec<(f64, String)> =
+        angles.into_iter().enumerate().map(|(k, angle)| (time(angle), name(k))).collect();
+    let cases = stress.cases.iter().enumerate().map(move |(k, case)| (name(k), case_vtu(stress, case)));
+    (write_collection(&files), cases)
 }
 
 /// The mesh with its support as a deck for so many natural modes, rigid motions included.

@@ -24,7 +24,7 @@ impl StaticRequest {
     /// A case of the file on a mesh, whose crankshaft becomes that of the case.
     pub fn of_case(case: &StressCaseTask, mesh: StressMesh) -> StaticRequest {
         let load = match &case.load {
-            StressCaseLoad::Angle { angle } => StressLoad::Angle(*angle),
+            StressCaseLoad::Angle { angle } => StressLoad::Angles(vec![*angle]),
             StressCaseLoad::Forces { forces, angle } => StressLoad::Given {
                 forces: forces
                     .iter()

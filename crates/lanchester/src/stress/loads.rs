@@ -134,10 +134,12 @@ fn of_closed_form(
     let cylinders = gas.map(|gas| gas.cylinders.as_slice());
     let at = |theta: &[f64]| throw_forces(engine, cylinders, &asked, crankshaft, theta);
     let rpm = speed * 30.0 / PI;
-    if let StressLoad::Angle(theta) = request.load {
-        let forces = at(&[theta])?.remove(0);
-        let name = format!("crank angle {:.1} deg, {rpm:.0} rpm", theta.to_degrees());
-        return Ok(vec![named(engine, crankshaft, name, theta, speed, &forces)]);
+    if let StressLoad::Angles(angles) = &request.load {
+        let one = |(theta, forces): (&f64, Vec<ThrowForce>)| {
+            let name = format!("crank angle {:.1} deg, {rpm:.0} rpm", theta.to_degrees());
+            named(engine, crankshaft, name, *theta, speed, &forces)
+        };
+        return Ok(angles.iter().zip(at(angles)?).map(one).collect());
     }
     // One period, and the angles that begin a power stroke.
     let period = TAU * f64::from(engine.strokes.revolutions());

@@ -19,8 +19,8 @@ pub enum StressLoad {
     /// The closed form, at the angles of the largest radial, tangential and resultant force on each pin and at each firing top dead centre.
     #[default]
     Extremes,
-    /// The closed form at this crank angle [rad].
-    Angle(f64),
+    /// The closed form at these crank angles [rad].
+    Angles(Vec<f64>),
     /// Forces on pins; without a speed the crankshaft stands still.
     Given {
         /// The forces.

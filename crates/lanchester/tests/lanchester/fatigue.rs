@@ -56,7 +56,7 @@ fn superposed_stress_is_that_of_loads_solved_one_by_one() {
     assert_eq!(fillets.len(), 4);
     let mut largest = vec![0.0f64; fillets.len()];
     for k in 0..instants {
-        let load = StressLoad::Angle(std::f64::consts::TAU * k as f64 / instants as f64);
+        let load = StressLoad::Angles(vec![std::f64::consts::TAU * k as f64 / instants as f64]);
         let request = StaticRequest { mesh: mesh(), load, ..StaticRequest::default() };
         let own = static_stress(&engine, &[], &request, &|_| {}).unwrap();
         let peaks = own.cases[0].result.peaks.iter().filter_map(|peak| peak.stress);

@@ -909,7 +909,7 @@ class Engine:
         self,
         *,
         speed: Quantities = (),
-        angle: Quantity | None = None,
+        angle: Quantities = (),
         gas: bool = True,
         support: Literal["clamped-ends", "journals", "springs", "free"] | None = None,
         stiffness: Quantity | None = None,
@@ -923,7 +923,7 @@ class Engine:
     ) -> StaticStress:
         """Static stress of the crankshaft by finite elements: every fillet, pin and journal. The file has a section ``[crank.body]``.
 
-        `angle` [rad], else the angles of the largest forces; `size` of the elements [m]; `submodel`: index of a throw whose bay, between the main
+        `angle` [rad], one or several, else the angles of the largest forces; `size` of the elements [m]; `submodel`: index of a throw whose bay, between the main
         journals beside it, is solved again with more elements across its fillets (`submodel_elements`, else 6 as a rule); `memory` [byte].
 
         >>> import lanchester

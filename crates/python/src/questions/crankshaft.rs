@@ -160,7 +160,10 @@ fn read_static(options: &Options<'_>) -> Result<Run, Failure> {
     };
     let request = StaticRequest {
         support: support(options, CrankSupport::Journals)?,
-        load: options.angle("angle")?.map_or(StressLoad::Extremes, StressLoad::Angle),
+        load: match options.angles("angle")? {
+            angles if angles.is_empty() => StressLoad::Extremes,
+            angles => StressLoad::Angles(angles),
+        },
         speeds: options.speeds("speed")?,
         gas: options.flag("gas")?.unwrap_or(true),
         submodel,

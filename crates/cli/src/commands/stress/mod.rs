@@ -27,9 +27,9 @@ use lanchester::report::{
     static_stress_brief, static_stress_csv, static_stress_text,
 };
 use lanchester::{
-    ModesRequest, StaticRequest, SubmodelRequest, case_deck, case_glb, case_stl, case_vtu, converged_modes,
-    converged_stress, crank_fatigue, crank_modes, crank_rule, crank_rule_with_torsion, modes_deck, modes_glb,
-    modes_vtu, reduced_crank, solve_deck, static_stress,
+    ModesRequest, StaticRequest, SubmodelRequest, case_deck, case_glb, case_stl, case_vtu, cases_pvd,
+    converged_modes, converged_stress, crank_fatigue, crank_modes, crank_rule, crank_rule_with_torsion,
+    modes_deck, modes_glb, modes_vtu, reduced_crank, solve_deck, static_stress,
 };
 use std::path::Path;
 
@@ -130,7 +130,7 @@ fn export(arguments: &ExportArguments, colour: bool) -> Result<u8, Failure> {
                 "for example --deformation 100",
             ));
         }
-        if matches!(form, Form::Deck | Form::Vtu) {
+        if matches!(form, Form::Deck | Form::Vtu | Form::Pvd) {
             return Err(Failure::input(
                 "--deformation is that of .glb and .stl",
                 "leave it out: other programs scale by themselves",
@@ -148,9 +148,9 @@ fn export(arguments: &ExportArguments, colour: bool) -> Result<u8, Failure> {
                 }
                 Form::Vtu => modes_vtu(&found),
                 Form::Glb => modes_glb(&found, arguments.deformation).map_err(Failure::refused)?,
-                Form::Stl => {
+                Form::Stl | Form::Pvd => {
                     return Err(Failure::input(
-                        "an STL file holds one shape",
+                        "an STL file holds one shape, a .pvd file load cases",
                         "write modes into a .glb or .vtu file",
                     ));
                 }
@@ -160,12 +160,15 @@ fn export(arguments: &ExportArguments, colour: bool) -> Result<u8, Failure> {
             let request = static_request(&opened.file, own, &arguments.load, &arguments.support)?;
             let found = solved(&opened, own, &request, false)?;
             let case = found.worst().ok_or_else(|| Failure::own("a solution has a case"))?;
-            tell(format_args!("writing the case: {}", case.name));
+            if !matches!(form, Form::Pvd) {
+                tell(format_args!("writing the case: {}", case.name));
+            }
             match form {
                 Form::Deck => {
                     case_deck(&found, case, &request.support).map_err(Failure::refused)?.into_bytes()
                 }
                 Form::Vtu => case_vtu(&found, case),
+                Form::Pvd => return write_cases(&found, path, &own.file),
                 Form::Glb => case_glb(&found, case, arguments.deformation).map_err(Failure::refused)?,
                 Form::Stl => {
                     case_stl(&found, case, arguments.deformation.unwrap_or(0.0)).map_err(Failure::refused)?
@@ -175,6 +178,22 @@ fn export(arguments: &ExportArguments, colour: bool) -> Result<u8, Failure> {
     };
     write_result(path, &own.file, &written)?;
     tell(format_args!("{} written", lanchester_files::shown(path)));
+    Ok(DONE)
+}
+
+/// Writes all load cases beside the file that lists them.
+fn write_cases(found: &StaticStress, path: &Path, engine_file: &Path) -> Result<u8, Failure> {
+    let stem = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
+    let (collection, cases) = cases_pvd(found, &stem);
+    for (name, content) in cases {
+        write_result(&path.with_file_name(name), engine_file, &content)?;
+    }
+    write_result(path, engine_file, &collection)?;
+    tell(format_args!(
+        "{} written, with {} load cases beside it",
+        lanchester_files::shown(path),
+        found.cases.len()
+    ));
     Ok(DONE)
 }
 
@@ -272,6 +291,7 @@ fn ends_in(path: &Path, ending: &str) -> Result<(), Failure> {
 enum Form {
     Deck,
     Vtu,
+    Pvd,
     Glb,
     Stl,
 }
@@ -282,11 +302,12 @@ impl Form {
         match ending.as_deref() {
             Some("inp") => Ok(Form::Deck),
             Some("vtu") => Ok(Form::Vtu),
+            Some("pvd") => Ok(Form::Pvd),
             Some("glb") => Ok(Form::Glb),
             Some("stl") => Ok(Form::Stl),
             _ => Err(Failure::input(
                 format_args!(
-                    "--output needs a name that ends in .inp, .vtu, .glb or .stl, got {}",
+                    "--output needs a name that ends in .inp, .vtu, .pvd, .glb or .stl, got {}",
                     lanchester_files::shown(path)
                 ),
                 "for example --output case.vtu",

@@ -308,6 +308,44 @@ fn three_meshes_give_a_band() {
     assert_eq!(number(&json, "/cases/0/energy"), values[2]);
 }
 
+/// Crank angles one after another as a series for ParaView.
+#[test]
+fn angles_of_the_cycle_are_a_series() {
+    let folder = engine("stress-series", str::to_owned);
+    let angles = ["--angle", "0 deg .. 20 deg by 10 deg", "--speed", "4000 rpm", "--output", "out/cycle.pvd"];
+    output(&folder, 0, &words(&[&["export"], &angles[..]].concat()));
+    let list = fs::read_to_string(folder.join("out/cycle.pvd")).unwrap();
+    for (k, angle) in ["0", "10", "20"].into_iter().enumerate() {
+        let name = format!("cycle-{:03}.vtu", k + 1);
+        assert!(
+            list.contains(&format!("timestep=\"{angle}\" group=\"\" part=\"0\" file=\"{name}\"")),
+            "{list}"
+        );
+        let field = fs::read(folder.join("out").join(&name)).unwrap();
+        assert!(String::from_utf8_lossy(&field[..600]).contains("von Mises"), "{name}");
+    }
+    // The second case is that angle asked for alone.
+    let json = |angle: &str| {
+        output_json(
+            &folder,
+            0,
+            &words(&["static", "--angle", angle, "--speed", "4000 rpm", "--format", "json"]),
+        )
+    };
+    let [some, one] = ["0 deg, 10 deg", "10 deg"].map(json);
+    assert_eq!(some["cases"].as_array().unwrap().len(), 2);
+    let [here, alone] = [number(&some, "/cases/1/energy"), number(&one, "/cases/0/energy")];
+    assert!((here / alone - 1.0).abs() < 1e-9, "{here} {alone}");
+    for (rest, wanted) in [
+        (&["export", "--modes", "2", "--output", "modes.pvd"][..], "a .pvd file load cases"),
+        (&["static", "--angle", "0 deg .. 720 deg by 1 deg"], "at most 360"),
+        (&["static", "--angle", "7 deg, x"], "--angle"),
+    ] {
+        let said = message(&folder, 2, &words(rest));
+        assert!(said.contains(wanted), "{wanted} in {said}");
+    }
+}
+
 #[test]
 fn shapes_for_viewers_are_written() {
     let folder = engine("stress-shapes", str::to_owned);
