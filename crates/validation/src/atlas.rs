@@ -142,8 +142,9 @@ impl Atlas {
 /// ```
 pub fn atlas(filter: Option<&str>) -> Atlas {
     let mut bench = Bench::default();
-    let of_source = |source: Source| {
-        let list = FigureList::of(&source)?;
+    let all = sources();
+    let of_source = |source: &Source| {
+        let list = FigureList::of(source)?;
         let kept = |entry: &&FigureEntry| {
             filter.is_none_or(|filter| keeps(filter, &format!("{} Figure {}", source.key, entry.figure)))
         };
@@ -151,16 +152,26 @@ pub fn atlas(filter: Option<&str>) -> Atlas {
             .figures
             .iter()
             .filter(kept)
-            .map(|entry| figure(&mut bench, &source, &list.short, entry))
+            .map(|entry| {
+                let from = all.iter().find(|own| entry.from.as_ref().is_some_and(|key| own.key == *key));
+                let id = format!("{}-figure-{}", list.short, entry.figure.replace('.', "-"));
+                figure(&mut bench, from.unwrap_or(source), (&source.title, id), entry)
+            })
             .collect();
         let Source { key, title, citation, .. } = source;
+        let [key, title, citation] = [key, title, citation].map(Clone::clone);
         (!figures.is_empty()).then_some(AtlasSource { key, title, citation, figures })
     };
-    Atlas { sources: sources().into_iter().filter_map(of_source).collect() }
+    Atlas { sources: all.iter().filter_map(of_source).collect() }
 }
 
-fn figure(bench: &mut Bench, source: &Source, short: &str, entry: &FigureEntry) -> AtlasFigure {
-    let id = format!("{short}-figure-{}", entry.figure.replace('.', "-"));
+/// A figure, with the engines and tables of a source: the one that prints it, whose title is given with the figure's name, or another.
+fn figure(
+    bench: &mut Bench,
+    source: &Source,
+    (title, id): (&str, String),
+    entry: &FigureEntry,
+) -> AtlasFigure {
     let drawn = match entry.verdict {
         FigureVerdict::Drawn => Some(Drawing::of(bench, source, &entry.draw)),
         _ => None,
@@ -180,7 +191,7 @@ fn figure(bench: &mut Bench, source: &Source, short: &str, entry: &FigureEntry) 
     }
     let svg = match (entry.verdict, failed.or(missing)) {
         (_, Some(why)) => Some(Err(why)),
-        (FigureVerdict::Drawn, None) => Some(Ok(document(&id, source, entry, &drawing))),
+        (FigureVerdict::Drawn, None) => Some(Ok(document(&id, title, entry, &drawing))),
         (_, None) => None,
     };
     AtlasFigure {
@@ -219,7 +230,7 @@ fn numbers(
     Ok(rows.into_iter().map(|row| AtlasNumber { table: entry.table.clone(), row, drawn }).collect())
 }
 
-fn document(id: &str, source: &Source, entry: &FigureEntry, drawing: &Drawing) -> String {
+fn document(id: &str, source: &str, entry: &FigureEntry, drawing: &Drawing) -> String {
     if let Some(document) = &drawing.document {
         return document.clone();
     }
@@ -232,7 +243,7 @@ fn document(id: &str, source: &Source, entry: &FigureEntry, drawing: &Drawing) -
     }
     Figure {
         id: id.to_string(),
-        title: format!("{}, Figure {}", source.title, entry.figure),
+        title: format!("{source}, Figure {}", entry.figure),
         caption,
         panels: drawing.panels.clone(),
         columns: 2,

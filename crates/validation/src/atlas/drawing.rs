@@ -239,12 +239,14 @@ fn vectors(bench: &mut Bench, source: &Source, entry: &VectorsEntry) -> Result<P
     let run = bench.run(source, &entry.engine, source.kinematics, None)?;
     let arrows = run.loads.cylinders.iter().map(|cylinder| {
         let (forward, backward) = halves(&cylinder.loads, entry.order, entry.couple);
-        // Reciprocating masses of cylinders in line: a force along x, a couple about y.
-        let arrow = if entry.couple {
-            Complex64::new(0.0, -1.0) * (forward - backward.conj())
+        // Cylinders along x: what turns against the crank comes of the reciprocating masses alone, and as much turns with it. Their couple is about
+        // y, a quarter turn from the force.
+        let (along, quarter) = if entry.couple {
+            (-backward.conj(), Complex64::new(0.0, -1.0))
         } else {
-            forward + backward.conj()
+            (backward.conj(), Complex64::new(1.0, 0.0))
         };
+        let arrow = quarter * if entry.rotating { forward - along } else { 2.0 * along };
         (format!("cyl. {}", cylinder.cylinder), arrow)
     });
     let (quantity, unit) = (entry.quantity.clone(), entry.unit.clone());

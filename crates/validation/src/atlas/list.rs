@@ -38,19 +38,16 @@ pub enum FigureVerdict {
     Sketch,
     /// A picture of another program.
     Screenshot,
-    /// It shows something computable that ours cannot show.
-    NotComputable,
 }
 
 impl FigureVerdict {
     /// All, in the order of the atlas.
-    pub const ALL: [FigureVerdict; 6] = [
+    pub const ALL: [FigureVerdict; 5] = [
         FigureVerdict::Drawn,
         FigureVerdict::OtherCommand,
         FigureVerdict::Photo,
         FigureVerdict::Sketch,
         FigureVerdict::Screenshot,
-        FigureVerdict::NotComputable,
     ];
 
     /// In words.
@@ -61,7 +58,6 @@ impl FigureVerdict {
             FigureVerdict::Photo => "photograph: nothing to compute",
             FigureVerdict::Sketch => "sketch: nothing to compute",
             FigureVerdict::Screenshot => "picture of another program: nothing to compute",
-            FigureVerdict::NotComputable => "not computable",
         }
     }
 }
@@ -84,6 +80,9 @@ pub(crate) struct FigureEntry {
     /// The command that draws it, for [`FigureVerdict::OtherCommand`].
     #[serde(default)]
     pub command: Option<String>,
+    /// The source whose engines and tables it is drawn from, if not its own.
+    #[serde(default)]
+    pub from: Option<String>,
     #[serde(default)]
     pub draw: Vec<DrawEntry>,
     /// Numbers that the source prints of it.
@@ -220,6 +219,9 @@ pub(crate) struct VectorsEntry {
     pub quantity: String,
     pub unit: String,
     pub couple: bool,
+    /// Whether of the rotating masses, not of the reciprocating ones.
+    #[serde(default)]
+    pub rotating: bool,
     pub order: f64,
 }
 
