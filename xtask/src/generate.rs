@@ -1,322 +1,58 @@
-//! Pages and pictures that the program writes.
+//! Pages and pictures that the program writes, and sketches from computed coordinates.
 
-use crate::command::quiet;
-use crate::documents::file_of;
+mod chart;
+mod curves;
+mod document;
+mod list;
+mod panels;
+mod pen;
+mod sketch;
+mod theory;
+mod written;
+
 use crate::tolerances;
-use crate::workspace::{Profile, program, root, scratch};
+use crate::workspace::{Profile, program, root};
 use anyhow::{Context, Result, bail};
-use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
-use std::process::Command;
-
-/// The page of published numbers.
-const PUBLISHED: &str = "docs/src/validation.md";
-
-/// Pages and pictures of the book, and the picture of the README.
-const WRITTEN: [Written; 34] = [
-    Written {
-        file: "crates/studio/page/src/api/types.ts",
-        head: "",
-        input: None,
-        arguments: &["studio", "--describe", "typescript"],
-        figure: None,
-    },
-    Written {
-        file: "crates/studio/openapi.json",
-        head: "",
-        input: None,
-        arguments: &["studio", "--describe", "openapi"],
-        figure: None,
-    },
-    Written {
-        file: "docs/src/engine-file.md",
-        head: "# The engine file\n\nEvery table and key, as the reader knows them. `lanchester schema` gives the same to an editor.\n\n",
-        input: None,
-        arguments: &["schema", "--markdown"],
-        figure: None,
-    },
-    Written {
-        file: "docs/src/workshop-sheet.md",
-        head: "# The workshop sheet\n\nEvery table and key. `lanchester schema --sheet` gives the same to an editor; the guide shows one [step by \
-               step](guide/workshop.md).\n\n",
-        input: None,
-        arguments: &["schema", "--sheet", "--markdown"],
-        figure: None,
-    },
-    Written { file: PUBLISHED, head: "", input: None, arguments: &["validate", "--markdown"], figure: None },
-    Written {
-        file: "docs/images/twin-spectrum.svg",
-        head: "",
-        input: None,
-        arguments: &["report", "examples/twin-in-line-in-phase.toml", "--output", "-"],
-        figure: Some("force-spectrum.svg"),
-    },
-    Written {
-        file: "docs/src/images/production.svg",
-        head: "",
-        input: None,
-        arguments: &["scatter", "examples/in-line-4-production.toml"],
-        figure: Some("scatter.svg"),
-    },
-    Written {
-        file: "docs/src/images/arrangements.svg",
-        head: "",
-        input: None,
-        arguments: &TWIN_SEARCH,
-        figure: Some("arrangements.svg"),
-    },
-    Written {
-        file: "docs/src/images/arrangement-drives.svg",
-        head: "",
-        input: None,
-        arguments: &TWIN_SEARCH,
-        figure: Some("drives.svg"),
-    },
-    Written {
-        file: "docs/src/images/counterweight.svg",
-        head: "",
-        input: None,
-        arguments: &["counterweight", "design", "examples/in-line-3-counterweights.toml"],
-        figure: Some("counterweight-web-1-web-2.svg"),
-    },
-    Written {
-        file: "docs/src/images/counterweight-front.svg",
-        head: "",
-        input: None,
-        arguments: &["counterweight", "front", "examples/in-line-3-counterweights.toml"],
-        figure: Some("counterweight-front.svg"),
-    },
-    Written {
-        file: "docs/src/images/layout-front.svg",
-        head: "",
-        input: None,
-        arguments: &V6_SEARCH,
-        figure: Some("layout-front.svg"),
-    },
-    drawn("docs/src/images/bond-graph-slider-crank.svg", &DRAWN_SLIDER),
-    drawn("docs/src/images/bond-graph-prismatic-pair.svg", &DRAWN_PAIR),
-    drawn("docs/src/images/bond-graph-three-cylinder.svg", &DRAWN_ENGINE),
-    graph_run("docs/src/images/bond-graph-pressures.svg", &RUN_UP, "bond-graph-pressures.svg"),
-    graph_run("docs/src/images/bond-graph-loops.svg", &RUN_UP, "bond-graph-loops.svg"),
-    graph_run("docs/src/images/bond-graph-speed.svg", &RUN_UP, "bond-graph-speed.svg"),
-    graph_run("docs/src/images/bond-graph-pressures-four.svg", &RUN_UP_FOUR, "bond-graph-pressures.svg"),
-    graph_run("docs/src/images/bond-graph-loops-four.svg", &RUN_UP_FOUR, "bond-graph-loops.svg"),
-    graph_run("docs/src/images/bond-graph-speed-four.svg", &RUN_UP_FOUR, "bond-graph-speed.svg"),
-    graph_run("docs/src/images/bond-graph-tilt.svg", &TILT, "bond-graph-tilt.svg"),
-    graph_run("docs/src/images/bond-graph-block-without.svg", &ROCKING_WITHOUT, "bond-graph-block.svg"),
-    graph_run("docs/src/images/bond-graph-block-with.svg", &ROCKING_WITH, "bond-graph-block.svg"),
-    graph_run("docs/src/images/bond-graph-second-order.svg", &SHAFT_FORCES, "bond-graph-second-order.svg"),
-    graph_run("docs/src/images/bond-graph-shafts.svg", &SHAFT_FORCES, "bond-graph-shafts.svg"),
-    simulated("docs/src/images/simulated-speed.svg", "simulated-speed.svg"),
-    simulated("docs/src/images/simulated-energy.svg", "simulated-energy.svg"),
-    story("docs/src/images/balanced-twin.svg", "twin.toml"),
-    story("docs/src/images/balanced-three.svg", "three.toml"),
-    story("docs/src/images/balanced-v6.svg", "v6.toml"),
-    blind("docs/src/images/counterweights-four.svg", &BLIND_FOUR),
-    blind("docs/src/images/counterweights-six.svg", &BLIND_SIX),
-    blind("docs/src/images/counterweights-v8.svg", &BLIND_V8),
-];
-
-/// An engine of the gallery with the lightest weights that leave the least force and couple, before and after.
-const fn blind(file: &'static str, arguments: &'static [&'static str]) -> Written {
-    Written { file, head: "", input: None, arguments, figure: Some("consequences.svg") }
-}
-
-const BLIND_FOUR: [&str; 5] = blind_to("crates/file/templates/in-line-4.toml");
-const BLIND_SIX: [&str; 5] = blind_to("crates/file/templates/in-line-6.toml");
-const BLIND_V8: [&str; 5] = blind_to("crates/file/templates/v8-crossplane.toml");
-
-/// Force, couple and then the least weights: the main bearings are not asked.
-const fn blind_to(engine: &'static str) -> [&'static str; 5] {
-    ["balance", engine, "--minimise=force", "--minimise=couple", "--minimise=added unbalance"]
-}
-
-/// Bond graphs of the guide.
-const fn drawn(file: &'static str, arguments: &'static [&'static str]) -> Written {
-    Written { file, head: "", input: None, arguments, figure: None }
-}
-
-const DRAWN_SLIDER: [&str; 3] = ["bondgraph", "draw", "examples/bond-graphs/slider-crank.toml"];
-const DRAWN_ENGINE: [&str; 5] = ["bondgraph", "draw", "examples/three-cylinder.toml", "--block", "fixed"];
-const DRAWN_PAIR: [&str; 3] = ["bondgraph", "draw", "examples/bond-graphs/prismatic-pair.toml"];
-
-/// Curves of the bond graphs of a thesis, as the guide's page on it asks for them.
-const fn graph_run(file: &'static str, arguments: &'static [&'static str], figure: &'static str) -> Written {
-    Written { file, head: "", input: None, arguments, figure: Some(figure) }
-}
-
-const RUN_UP: [&str; 11] = run_up("examples/three-cylinder.toml");
-const RUN_UP_FOUR: [&str; 11] = run_up("validation/three-four-cylinder-thesis/four-cylinder-simulated.toml");
-
-/// An engine with its block fixed, from 1000 rpm on.
-const fn run_up(engine: &'static str) -> [&'static str; 11] {
-    [
-        "bondgraph",
-        "simulate",
-        engine,
-        "--block",
-        "fixed",
-        "--speed",
-        "1000 rpm",
-        "--for",
-        "5 s",
-        "--samples",
-        "24000",
-    ]
-}
-const TILT: [&str; 14] = [
-    "bondgraph",
-    "simulate",
-    "examples/three-cylinder.toml",
-    "--imposed",
-    "--joints",
-    "compliant",
-    "--skirt-offset",
-    "-10 mm",
-    "--block",
-    "fixed",
-    "--for",
-    "0.12 s",
-    "--samples",
-    "1440",
-];
-const ROCKING_WITH: [&str; 8] = [
-    "bondgraph",
-    "simulate",
-    "examples/three-cylinder.toml",
-    "--imposed",
-    "--for",
-    "1.5 s",
-    "--samples",
-    "9000",
-];
-const ROCKING_WITHOUT: [&str; 9] = [
-    "bondgraph",
-    "simulate",
-    "examples/three-cylinder.toml",
-    "--imposed",
-    "--for",
-    "1.5 s",
-    "--samples",
-    "9000",
-    "--without-shafts",
-];
-const SHAFT_FORCES: [&str; 6] = [
-    "bondgraph",
-    "simulate",
-    "validation/three-four-cylinder-thesis/four-cylinder.toml",
-    "--block",
-    "held",
-    "--no-gravity",
-];
-
-/// The story of the guide's page on simulation.
-const fn simulated(file: &'static str, figure: &'static str) -> Written {
-    const STORY: [&str; 2] = ["simulate", "examples/generator-set-3.toml"];
-    Written { file, head: "", input: None, arguments: &STORY, figure: Some(figure) }
-}
-
-/// The optimum of an engine of the guide's page on balancing.
-const fn story(file: &'static str, engine: &'static str) -> Written {
-    Written {
-        file,
-        head: "",
-        input: Some(("docs/src/guide/balancing.md", engine)),
-        arguments: &["balance", "-"],
-        figure: Some("optimum.svg"),
-    }
-}
-
-/// The guide's choice among the arrangements of an in-line twin.
-const TWIN_SEARCH: [&str; 11] = [
-    "balance",
-    "examples/twin-in-line-in-phase.toml",
-    "--search",
-    "--mount-spacing",
-    "176 mm",
-    "--reference",
-    "examples/in-line-4-long-stroke.toml",
-    "--share",
-    "1/2",
-    "--choose",
-    "+1 -1",
-];
-
-/// The guide's search over V6 engines with shared pins.
-const V6_SEARCH: [&str; 14] = [
-    "explore",
-    "examples/v6-60.toml",
-    "--bank-angle",
-    "60 deg .. 120 deg by 5 deg",
-    "--split-angle",
-    "0 deg",
-    "--limit",
-    "force order 1 = 1 N",
-    "--limit",
-    "force order 2 = 1 N",
-    "--minimise",
-    "uneven firing",
-    "--minimise",
-    "couple order 1",
-];
-
-/// A file that the program writes.
-struct Written {
-    file: &'static str,
-    /// What stands above it.
-    head: &'static str,
-    /// The page and the file on it that the program reads on standard input.
-    input: Option<(&'static str, &'static str)>,
-    /// What makes the program print it.
-    arguments: &'static [&'static str],
-    /// The figure of the report that it is, where it is one.
-    figure: Option<&'static str>,
-}
-
-/// Folders of figures by what the program was asked for: several pictures come of one run.
-type Figures = BTreeMap<(Option<(&'static str, &'static str)>, &'static [&'static str]), PathBuf>;
-
-impl Written {
-    fn text(&self, program: &Path, figures: &mut Figures) -> Result<String> {
-        let Some(figure) = self.figure else {
-            return Ok(format!("{}{}", self.head, quiet(&mut self.command(program)?)?));
-        };
-        let asked = (self.input, self.arguments);
-        let folder = match figures.get(&asked) {
-            Some(folder) => folder.clone(),
-            None => {
-                let folder = scratch(&format!("figures-{}", figures.len()))?;
-                quiet(self.command(program)?.arg("--figures").arg(&folder))?;
-                figures.insert(asked, folder.clone());
-                folder
-            }
-        };
-        let body =
-            std::fs::read_to_string(folder.join(figure)).with_context(|| format!("no figure {figure}"))?;
-        Ok(format!("{}{body}", self.head))
-    }
-
-    fn command(&self, program: &Path) -> Result<Command> {
-        let mut command = Command::new(program);
-        command.args(self.arguments).current_dir(root());
-        if let Some((page, name)) = self.input {
-            let input = scratch("input")?.join(name);
-            std::fs::write(&input, file_of(page, name)?)?;
-            command.stdin(std::fs::File::open(&input)?);
-        }
-        Ok(command)
-    }
-}
+use curves::CURVES;
+use list::{PUBLISHED, WRITTEN};
+use std::path::Path;
+use theory::THEORY;
+use written::{Figures, Written};
 
 /// Writes every file.
 pub fn write(profile: Profile) -> Result<()> {
     tolerances::write()?;
     let program = program(profile)?;
-    let mut figures = Figures::new();
-    for written in &WRITTEN {
-        std::fs::write(root().join(written.file), written.text(&program, &mut figures)?)?;
-        println!("{}", written.file);
+    write_all(&WRITTEN, &program)?;
+    write_pictures(&program)
+}
+
+/// Writes the pictures of the theory alone, which is soon done.
+pub fn write_theory() -> Result<()> {
+    write_pictures(&program(Profile::Release)?)
+}
+
+fn write_pictures(program: &Path) -> Result<()> {
+    for sketch in sketch::all() {
+        write_file(&sketch.file(), &sketch.svg())?;
     }
+    for curve in &CURVES {
+        write_file(&curve.file(), &curve.svg(program)?)?;
+    }
+    write_all(&THEORY, program)
+}
+
+fn write_all(list: &[Written], program: &Path) -> Result<()> {
+    let mut figures = Figures::new();
+    for written in list {
+        write_file(written.file, &written.text(program, &mut figures)?)?;
+    }
+    Ok(())
+}
+
+fn write_file(file: &str, text: &str) -> Result<()> {
+    std::fs::write(root().join(file), text)?;
+    println!("{file}");
     Ok(())
 }
 
@@ -324,18 +60,27 @@ pub fn write(profile: Profile) -> Result<()> {
 ///
 /// The page of published numbers takes a minute of two processors; a test of the crate `validation`, which needs all numbers in any case, holds it.
 pub fn check(program: &Path) -> Result<String> {
-    let (mut stale, mut figures) = (Vec::new(), Figures::new());
-    let held_here = WRITTEN.iter().filter(|written| written.file != PUBLISHED);
-    for written in held_here {
-        let kept = std::fs::read_to_string(root().join(written.file));
-        if kept.with_context(|| format!("cannot read {}", written.file))?
-            != written.text(program, &mut figures)?
-        {
-            stale.push(written.file);
+    let (mut stale, mut figures, mut files) = (Vec::new(), Figures::new(), 0);
+    let mut hold = |file: &str, now: String| -> Result<()> {
+        let kept =
+            std::fs::read_to_string(root().join(file)).with_context(|| format!("cannot read {file}"))?;
+        files += 1;
+        if kept != now {
+            stale.push(file.to_owned());
         }
+        Ok(())
+    };
+    for sketch in sketch::all() {
+        hold(&sketch.file(), sketch.svg())?;
+    }
+    for curve in &CURVES {
+        hold(&curve.file(), curve.svg(program)?)?;
+    }
+    for written in WRITTEN.iter().chain(&THEORY).filter(|written| written.file != PUBLISHED) {
+        hold(written.file, written.text(program, &mut figures)?)?;
     }
     if !stale.is_empty() {
         bail!("stale: {}; run `cargo xtask generate`", stale.join(", "));
     }
-    Ok(format!("{} files", WRITTEN.len() - 1))
+    Ok(format!("{files} files"))
 }

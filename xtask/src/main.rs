@@ -39,7 +39,8 @@ tasks of the workspace
   cargo xtask test [--release]                  all tests with the cases of CI; lists the slowest; --release in the profile of CI
   cargo xtask tidy                              rules of the house: crate arrows, pages, links, file length, ...;
                                                 --sources for those that need nothing built
-  cargo xtask generate                          write the generated pages of the book anew; --release with the program of CI
+  cargo xtask generate                          write the generated pages and pictures of the book anew; --release with the program of CI,
+                                                --theory the pictures of the theory alone, with that program
   cargo xtask documents [--release]             run what the README's and the book's pages show and quote
   cargo xtask page                              build the studio's page into the repository
   cargo xtask web [--try]                       build the studio that needs no server into target/web: a folder for any file server, and in it
@@ -90,6 +91,7 @@ fn task(arguments: &[String]) -> Result<()> {
             Ok(())
         }
         Some("generate") if rest.is_empty() => generate::write(Profile::Dev),
+        Some("generate") if rest == ["--theory"] => generate::write_theory(),
         Some("generate") if rest == ["--release"] => generate::write(Profile::Release),
         Some("documents") if rest.is_empty() || rest == ["--release"] => {
             let profile = if rest.is_empty() { Profile::Dev } else { Profile::Release };

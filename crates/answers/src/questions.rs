@@ -12,6 +12,7 @@ pub(crate) mod session;
 pub(crate) mod shape_preview;
 pub(crate) mod simulation;
 pub(crate) mod summary;
+pub(crate) mod torsion;
 
 use crate::api::Api;
 
@@ -22,6 +23,7 @@ pub(crate) fn all() -> Api {
         files::questions,
         reading::questions,
         results::questions,
+        torsion::questions,
         simulation::questions,
         figures::questions,
         balancing::questions,

@@ -101,11 +101,6 @@ impl<'py> Options<'py> {
         self.of(name, "an angle", "rad", option::angle)
     }
 
-    /// Angles [rad]: a list, or one.
-    pub fn angles(&self, name: &str) -> Result<Vec<f64>, Failure> {
-        self.list_of(name, "an angle", "rad", option::angle)
-    }
-
     /// A mass [kg].
     pub fn mass(&self, name: &str) -> Result<Option<f64>, Failure> {
         self.of(name, "a mass", "kg", option::mass)

@@ -11,6 +11,9 @@ const FENCE: &str = "```";
 /// The language of a fenced block of formulas.
 const FORMULA: &str = "formula";
 
+/// How the line begins that tells where a block of formulas comes from; it stands in italics right below it.
+const SOURCES: [&str; 3] = ["*Source: ", "*Sources: ", "*Derived here"];
+
 /// How a table of symbols begins.
 const SYMBOLS: &str = "| symbol |";
 
@@ -78,6 +81,7 @@ pub fn typeset(page: &str, text: &str, equations: &Equations) -> Result<String> 
     let mut done = String::new();
     let mut fenced: Option<bool> = None;
     let mut of_symbols = false;
+    let mut below_picture = false;
     for (index, line) in text.lines().enumerate() {
         let place = index + 1;
         let (head, row) = (line.starts_with(SYMBOLS), of_symbols && line.starts_with("| "));
@@ -107,12 +111,25 @@ pub fn typeset(page: &str, text: &str, equations: &Equations) -> Result<String> 
             done += line;
         } else {
             let line = referenced(line, &link).with_context(|| format!("{page}:{place}"))?;
-            done +=
-                &if row && !head { symbols(&line).with_context(|| format!("{page}:{place}"))? } else { line };
+            done += &if row && !head {
+                symbols(&line).with_context(|| format!("{page}:{place}"))?
+            } else if SOURCES.iter().any(|start| line.starts_with(start)) {
+                classed("source", &line)
+            } else if below_picture && line.starts_with('*') && line.ends_with('*') {
+                classed("caption", &line)
+            } else {
+                line
+            };
         }
+        below_picture = line.starts_with("![") || below_picture && line.is_empty();
         done.push('\n');
     }
     Ok(done)
+}
+
+/// A paragraph with a class: with empty lines about it the text is Markdown still.
+fn classed(class: &str, line: &str) -> String {
+    format!("<div class=\"{class}\">\n\n{line}\n\n</div>")
 }
 
 /// A row of a table of symbols with its first cell typeset.
@@ -226,6 +243,16 @@ mod tests {
                     [eq. (2.2)](kinematics.md#eq-2-2).\n\n<div class=\"formula\">";
         assert!(set.starts_with(text), "{set}");
         assert!(set.ends_with("</div>\n\n```text\n(2.2)\n```\n"), "{set}");
+    }
+
+    #[test]
+    fn sources_and_captions_have_classes() {
+        let page =
+            "![alt](a.svg)\n\n*By (2.2).*\n\n*Said.*\n\n```formula\nu = v\n```\n\n*Source: [Key2000].*\n";
+        let set = typeset_with(page).unwrap();
+        let caption = "![alt](a.svg)\n\n<div class=\"caption\">\n\n*By ([2.2](kinematics.md#eq-2-2)).*\n\n</div>\n\n*Said.*\n";
+        assert!(set.starts_with(caption), "{set}");
+        assert!(set.ends_with("<div class=\"source\">\n\n*Source: [Key2000].*\n\n</div>\n"), "{set}");
     }
 
     #[test]

@@ -9,6 +9,8 @@ use std::path::{Component, Path, PathBuf};
 const BOOK: &str = "docs/src/";
 const SUMMARY: &str = "docs/src/SUMMARY.md";
 const REFERENCES: &str = "docs/refs.bib";
+/// Pages whose formulas have a picture beside them.
+const THEORY: &str = "docs/src/theory/";
 
 /// Breaches in the Markdown pages, and in the equation and source references of the code.
 pub fn check(files: &[String]) -> Result<Vec<String>> {
@@ -36,6 +38,9 @@ pub fn check(files: &[String]) -> Result<Vec<String>> {
     for (file, text, markdown) in &pages {
         if *markdown {
             breaches.extend(broken_links(file, text));
+        }
+        if file.starts_with(THEORY) && lacks_picture(text) {
+            breaches.push(format!("{file}: formulas without a picture"));
         }
         for (number, line) in equation_references(text) {
             if !equations.contains_key(&number) {
@@ -85,6 +90,11 @@ fn broken_links(file: &str, text: &str) -> Vec<String> {
         }
     }
     breaches
+}
+
+/// Whether a page has formulas and no picture.
+fn lacks_picture(text: &str) -> bool {
+    text.contains("```formula\n") && !text.contains("\n![")
 }
 
 /// Lines outside fenced blocks, with inline code blanked out.
@@ -230,6 +240,13 @@ mod tests {
         );
         assert!(source_references("error[E0101]: unit missing").is_empty());
         assert!(source_keys("@book{Heywood1988,\n title = {x}\n}").contains("Heywood1988"));
+    }
+
+    #[test]
+    fn formulas_want_a_picture() {
+        let page = "# A\n\n```formula\na = b\n```\n";
+        assert!(lacks_picture(page) && !lacks_picture("# A\n"));
+        assert!(!lacks_picture(&format!("{page}\n![b](b.svg)\n")));
     }
 
     #[test]

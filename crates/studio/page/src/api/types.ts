@@ -585,6 +585,18 @@ export type Brake = {
   torque: number;
 };
 
+/** Data of a Campbell diagram. */
+export type Campbell = {
+  /** Critical speeds within the range, by falling modal torque. */
+  criticals: Critical[];
+  /** Natural frequency of each mode at each speed [rad/s]; only pendulums make it depend on the speed. */
+  frequencies: number[][];
+  /** Orders drawn. */
+  orders: number[];
+  /** Speeds [rad/s]. */
+  speeds: number[];
+};
+
 /** Exact cancellation: what had to vanish, and the proof that no lighter weights do it or that none can. */
 export type Cancellation = {
   /** Every order of the task, in its order. */
@@ -1078,6 +1090,32 @@ export type Criterion = {
   "mains-with-gas": [Statistic, Mains];
 } | "added-mass" | "added-unbalance" | "cost";
 
+/** A speed at which an order meets a natural frequency. */
+export type Critical = {
+  /** Natural frequency there [rad/s]. */
+  frequency: number;
+  /** Torque of this order in the mode, in true phase: `|SUM T_k phi|` [N m]. */
+  modal_torque: number;
+  /** Number of the mode, from 1. */
+  mode: number;
+  /** The order. */
+  order: number;
+  /** Speed of the reference [rad/s]. */
+  speed: number;
+  /** Work of a cycle of vibration at 1 rad of the largest station: `pi` times the modal torque [J]. */
+  work: number;
+};
+
+/** An angle over speed [rad]. */
+export type Curve = {
+  /** Amplitude of each order at each speed [rad]. */
+  by_order: number[][];
+  /** Sum of the amplitudes of all orders, whatever their phases [rad]. */
+  sum: number[];
+  /** Amplitude of all orders in true phase at each speed [rad]. */
+  total: number[];
+};
+
 /** Whose curves over the crank angle are in the answer. */
 export type Curves = "all" | "whole";
 
@@ -1260,6 +1298,19 @@ export type DampedMode = {
   /** Shape at the centre; its largest component in the mass norm is real. */
   shape: [[number, number], [number, number], [number, number], [number, number], [number, number], [number, number]];
 };
+
+/** A damper over speed. */
+export type DamperAnswer = {
+  /** Heat [W] at each speed. */
+  power: number[];
+  /** Amplitude of the ring against the hub [rad]. */
+  ring: number[];
+  /** The damper that these numbers are of. */
+  used: TorsionDamper;
+};
+
+/** A kind of damper. */
+export type DamperKind = "viscous" | "rubber";
 
 /** Direction in which the depth of an overlap is measured. */
 export type DepthAlong = "cylinder" | "crank" | "radius";
@@ -2444,6 +2495,9 @@ export type Limit = {
 /** On which side of its value a limit lies. */
 export type LimitSide = "at-most" | "at-least" | "given";
 
+/** What a limit is about. */
+export type LimitedQuantity = "twist" | "stress";
+
 /** A load over the cycle whose largest amount is judged; about the origin. */
 export type Load = "force" | "force-x" | "force-y" | "couple" | "couple-x" | "couple-y" | "roll-moment" | {
   "mount-force": number;
@@ -2580,6 +2634,18 @@ export type Method = {
 
 /** An inertia that is not known. */
 export type MissingInertia = "flywheel" | "crankshaft";
+
+/** A natural mode of the undamped chain. */
+export type Mode = {
+  /** Natural angular frequency [rad/s]. */
+  frequency: number;
+  /** Moment of inertia in this mode, of the shape as it stands [kg m^2]. */
+  inertia: number;
+  /** Nodes: changes of sign of the referred angle along the shafts. */
+  nodes: number;
+  /** Angles of the stations at their own speeds, the largest 1. */
+  shape: number[];
+};
 
 /** Motion of a piston and its rod over the crank angle, at the angles of the loads' [`Trace`]. */
 export type MotionTrace = {
@@ -3859,6 +3925,76 @@ export type TorqueReport = {
   warnings: string[];
 };
 
+/** Torsional vibration of an engine over its speeds: amplitudes, half of largest less least value. */
+export type TorsionAnswer = {
+  /** Orders and natural frequencies over speed, with the speeds at which they meet. */
+  campbell: Campbell;
+  /** The damper, where there is one. */
+  damper: DamperAnswer | null;
+  /** Where the pressures come from, in words; `None`: no gas acts. */
+  gas: string | null;
+  /** Limits of the file. */
+  limits: TorsionLimit[];
+  /** Undamped natural modes. */
+  modes: Mode[];
+  /** What was assumed and left out. */
+  notes: string[];
+  /** Orders, per revolution of crankshaft 1. */
+  orders: number[];
+  /** Speeds of crankshaft 1 [rad/s]. */
+  speeds: number[];
+  /** Names of the stations along the chain. */
+  stations: string[];
+  /** Largest nominal shear stress of all shafts at each speed [Pa]; empty where no section is known. */
+  stress: number[];
+  /** The best setting of the damper, where it was asked for. */
+  tuned: TunedDamper | null;
+  /** Twist between nose and flywheel [rad]. */
+  twist: Curve;
+};
+
+/** A damper at the free end: a ring on a hub. */
+export type TorsionDamper = {
+  /** Viscous damping between ring and hub [N m s/rad]. */
+  damping: number;
+  /** Moment of inertia of hub and housing [kg m^2]. */
+  hub_inertia: number;
+  /** Of which kind. */
+  kind: DamperKind;
+  /** Loss factor of that stiffness [1]. */
+  loss_factor: number;
+  /** Moment of inertia of the seismic ring [kg m^2]. */
+  ring_inertia: number;
+  /** Stiffness between ring and hub [N m/rad]; 0: none. */
+  stiffness: number;
+};
+
+/** A limit, and what is reached. */
+export type TorsionLimit = {
+  /** Allowed amplitude [rad] or [Pa]. */
+  allowed: number;
+  /** Largest amplitude over speed [rad] or [Pa]. */
+  found: number;
+  /** What is limited. */
+  quantity: LimitedQuantity;
+  /** Speed of crankshaft 1 at which it is found [rad/s]. */
+  speed: number;
+};
+
+/** An engine, and numbers of its damper in the place of those of the file. */
+export type TorsionQuestion = {
+  /** Viscous damping between ring and hub [N m s/rad]. */
+  damping: number | null;
+  /** Moment of inertia of the damper's ring [kg m^2]. */
+  ring_inertia: number | null;
+  /** Stiffness between ring and hub [N m/rad]. */
+  stiffness: number | null;
+  /** The engine file. */
+  text: string;
+  /** Whether the best setting of the damper is sought: damping of a viscous one, stiffness of rubber. */
+  tune: boolean;
+};
+
 /** Components over one period, at equally spaced crank angles; one vector a component so that it plots as it is. */
 export type Trace = {
   /** Couple about x [N m]. */
@@ -3901,6 +4037,50 @@ export type Transmissibility = {
   angular_frequency: number[];
   /** For a unit load in each coordinate at the block's centre: the force transmitted in the same coordinate. */
   ratio: Array<[number, number, number, number, number, number]>;
+};
+
+/** What the damper is to keep small, all orders in true phase. */
+export type TuneAim = "twist" | {
+  torque: number;
+} | "stress";
+
+/** What of the damper is free. */
+export type TuneFree = "damping" | "stiffness" | "both";
+
+/** A point of the curve. */
+export type TunePoint = {
+  /** Peak over the speed range, in the unit of the aim. */
+  peak: number;
+  /** Damping [N m s/rad], or stiffness [N m/rad] where that alone is free. */
+  value: number;
+};
+
+/** The best setting, with the curve that proves it. */
+export type TunedDamper = {
+  /** What is small. */
+  aim: TuneAim;
+  /** The free number and the peak that it gives (the best stiffness for each damping where both are free), rising. */
+  curve: TunePoint[];
+  /** Best viscous damping [N m s/rad]. */
+  damping: number;
+  /** What was free. */
+  free: TuneFree;
+  /** Peak with the damper as given. */
+  given: number;
+  /** Whether the best lies at an end of the range: a wider range would give less. */
+  is_at_end: boolean;
+  /** Peak with the ring locked to its hub. */
+  locked: number;
+  /** Loss factor of the stiffness, as given. */
+  loss_factor: number;
+  /** Number of local minima on the curve: 1 where the best one is proved by the curve's points alone. */
+  minima: number;
+  /** Peak over the speed range at the best setting, in the unit of the aim. */
+  peak: number;
+  /** Speed of that peak [rad/s]. */
+  speed: number;
+  /** Best stiffness [N m/rad]. */
+  stiffness: number;
 };
 
 /** What turns, beside what pistons and rods bring. */

@@ -21,6 +21,7 @@ export type Measure =
   | "velocity"
   | "acceleration"
   | "pressure"
+  | "stress"
   | "energy"
   | "power"
   | "density"
@@ -67,6 +68,7 @@ const UNITS: Record<System, Record<Measure, Unit>> = {
     velocity: { name: "m/s", si: 1 },
     acceleration: { name: "m/s²", si: 1 },
     pressure: { name: "bar", si: 1e5 },
+    stress: { name: "MPa", si: 1e6 },
     energy: { name: "J", si: 1 },
     power: { name: "kW", si: 1e3 },
     density: { name: "kg/m³", si: 1 },
@@ -86,6 +88,7 @@ const UNITS: Record<System, Record<Measure, Unit>> = {
     velocity: { name: "m/s", si: 1 },
     acceleration: { name: "m/s²", si: 1 },
     pressure: { name: "bar", si: 1e5 },
+    stress: { name: "MPa", si: 1e6 },
     energy: { name: "J", si: 1 },
     power: { name: "kW", si: 1e3 },
     density: { name: "kg/m³", si: 1 },
@@ -105,6 +108,7 @@ const UNITS: Record<System, Record<Measure, Unit>> = {
     velocity: { name: "ft/s", si: 12 * INCH },
     acceleration: { name: "ft/s²", si: 12 * INCH },
     pressure: { name: "psi", si: POUND_FORCE / (INCH * INCH) },
+    stress: { name: "ksi", si: (1000 * POUND_FORCE) / (INCH * INCH) },
     energy: { name: "ft lbf", si: POUND_FORCE * 12 * INCH },
     power: { name: "hp", si: 550 * POUND_FORCE * 12 * INCH },
     density: { name: "lb/in³", si: POUND / INCH ** 3 },

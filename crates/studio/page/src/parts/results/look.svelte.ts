@@ -9,6 +9,7 @@ export const SECTIONS = [
   ["bearings", "Bearings"],
   ["films", "Oil films"],
   ["mounts", "Mounts"],
+  ["torsion", "Torsional vibration"],
   ["crankshaft", "Inside the crankshaft"],
 ] as const;
 export type Section = (typeof SECTIONS)[number][0];
