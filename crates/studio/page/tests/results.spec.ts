@@ -438,7 +438,7 @@ test("the strongest number is first, for what is chosen", async ({ studio, page 
   await expect(force.getByRole("row").nth(1)).toContainText(/2\.\d+ %/);
 
   await page.getByRole("radio", { name: "Mounts" }).check({ force: true });
-  await expect(page.getByRole("region", { name: /mount/i }).first()).toContainText("speed");
+  await expect(page.getByRole("region", { name: /mount/i }).first()).toContainText("mount stiffness");
   await page.getByLabel("every part by itself").check();
   await expect(page.getByRole("region", { name: /mount/i }).first()).toContainText("piston mass 1");
 });
