@@ -11,7 +11,7 @@ use std::path::Path;
 use std::process::Command;
 
 /// Options whose value is a file that the command makes.
-const MADE_BY: [&str; 5] = ["--output", "--save", "--figures", "--figure", "--drawing"];
+const MADE_BY: [&str; 6] = ["--output", "--save", "--figures", "--figure", "--drawing", "--suite"];
 
 /// Endings of files that a command reads.
 const ENDINGS: [&str; 8] = ["toml", "csv", "parquet", "dxf", "svg", "json", "step", "html"];

@@ -1,5 +1,6 @@
 //! Pages and pictures that the program writes, and sketches from computed coordinates.
 
+mod atlas;
 mod chart;
 mod curves;
 mod document;
@@ -24,6 +25,7 @@ pub fn write(profile: Profile) -> Result<()> {
     tolerances::write()?;
     let program = program(profile)?;
     write_all(&WRITTEN, &program)?;
+    atlas::write(&program)?;
     write_pictures(&program)
 }
 
@@ -58,7 +60,8 @@ fn write_file(file: &str, text: &str) -> Result<()> {
 
 /// Fails where a file is not what the program writes now.
 ///
-/// The page of published numbers takes a minute of two processors; a test of the crate `validation`, which needs all numbers in any case, holds it.
+/// The page of published numbers takes a minute of two processors; tests of the crate `validation`, which need all numbers and figures in any
+/// case, hold it and the atlas.
 pub fn check(program: &Path) -> Result<String> {
     let (mut stale, mut figures, mut files) = (Vec::new(), Figures::new(), 0);
     let mut hold = |file: &str, now: String| -> Result<()> {

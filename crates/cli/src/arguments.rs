@@ -237,12 +237,16 @@ pub enum Command {
     Studio(StudioArguments),
     /// Recompute every published number: printed against computed, with verdict and reason.
     #[command(after_help = "Examples:\n  lanchester validate\n  lanchester validate twin --verbose\n  \
-                            lanchester validate --format csv > verdicts.csv")]
+                            lanchester validate --format csv > verdicts.csv\n  \
+                            lanchester validate --figures atlas\n  \
+                            lanchester validate 'twin-cylinder-thesis Figure 18' --figures atlas\n  \
+                            lanchester validate --suite suite.json")]
     Validate(ValidateArguments),
-    /// Print the JSON Schema of the engine file or of the workshop sheet, for completion in an editor.
+    /// Print the JSON Schema of the engine file or of the workshop sheet, for completion in an editor, or of the reference suite.
     #[command(after_help = "Examples:\n  lanchester schema > engine.schema.json\n  \
                             lanchester schema --sheet > sheet.schema.json\n  \
-                            lanchester schema --markdown > engine-file.md")]
+                            lanchester schema --markdown > engine-file.md\n  \
+                            lanchester schema --suite > suite.schema.json")]
     Schema(SchemaArguments),
     /// Print the licences and notices of everything by others that the program and its page contain.
     #[command(after_help = "Examples:\n  lanchester licences > third-party.txt")]
@@ -584,9 +588,17 @@ pub struct ValidateArguments {
     /// Print every row, not only those that need a reason; the other forms always have every row.
     #[arg(long, conflicts_with = "format")]
     pub verbose: bool,
-    /// Write the validation page of the book instead.
+    /// Write the validation page of the book instead; with `--figures` the page of the atlas.
     #[arg(long, conflicts_with_all = ["verbose", "filter", "format"])]
     pub markdown: bool,
+    /// Draw the published figures from our numbers into this folder instead, with a page `index.html`; the filter keeps
+    /// sources and figures.
+    #[arg(long, value_name = "FOLDER", conflicts_with_all = ["verbose", "format"])]
+    pub figures: Option<PathBuf>,
+    /// Write the numbers into this file instead, as a reference suite that another program can run: inputs in SI, expected
+    /// values with their uncertainty, sources (JSON).
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["verbose", "format", "markdown", "figures"])]
+    pub suite: Option<PathBuf>,
     /// Form of the output.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,
@@ -601,6 +613,9 @@ pub struct SchemaArguments {
     /// The workshop sheet instead of the engine file.
     #[arg(long)]
     pub sheet: bool,
+    /// The reference suite that `validate --suite` writes.
+    #[arg(long, conflicts_with_all = ["sheet", "markdown"])]
+    pub suite: bool,
 }
 
 /// `completions`

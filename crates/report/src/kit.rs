@@ -23,5 +23,6 @@ pub(crate) mod xy_plot;
 pub use csv::{motion_csv, orders_csv, trace_csv};
 pub use figure::{Figure, Panel};
 pub use section::{Part, Section};
+pub use svg::escape;
 pub use table::{Cell, Column, Table, csv_text};
 pub use tornado::tornado_figure;

@@ -39,6 +39,12 @@ pub(crate) struct Run {
 }
 
 impl Run {
+    /// What its gas does.
+    pub fn with_gas(&self) -> Result<&GasRun, String> {
+        let found = self.gas.get_or_init(|| GasRun::of(&self.engine, self.kinematics));
+        found.as_ref().map_err(Clone::clone)
+    }
+
     /// The twin thesis's `M_z`: balance shafts and weights, without side thrust and torque reaction.
     pub fn roll_of_shafts(&self) -> Vec<f64> {
         let weights = [Part::Counterweights, Part::Shafts];

@@ -14,7 +14,6 @@
 //! The pressures are those of the synthetic traces, where the engine names them.
 
 use crate::case::Run;
-use crate::gas_run::GasRun;
 use lanchester::results::Extreme;
 use std::f64::consts::PI;
 
@@ -58,11 +57,10 @@ impl GasKey {
 
     pub fn of(&self, run: &Run) -> Result<f64, String> {
         if let GasKey::LargestPower { torques, speed } = self {
-            let (at, power) = largest_power(*torques, run.power_step);
+            let (at, power) = PowerCubic::through(*torques).largest(run.power_step);
             return Ok(if *speed { at } else { power });
         }
-        let gas =
-            run.gas.get_or_init(|| GasRun::of(&run.engine, run.kinematics)).as_ref().map_err(Clone::clone)?;
+        let gas = run.with_gas()?;
         let pin = gas.bearings.cylinders.first().ok_or("the engine has no cylinder")?;
         let cylinder = gas.torque.cylinders.first().ok_or("the engine has no cylinder")?;
         let of =
@@ -87,33 +85,51 @@ impl GasKey {
     }
 }
 
-/// Speed [rpm] and amount [W] of the largest power up to 4000 rpm, among the multiples of a step if one is given.
-///
-/// The cubic with four free coefficients that fits five points at equal distances in least squares goes through the
-/// points less their share of (1, -4, 6, -4, 1), the one row of five that no cubic can follow.
-fn largest_power(torques: [f64; 4], step: Option<f64>) -> (f64, f64) {
-    const REST: [f64; 5] = [1.0, -4.0, 6.0, -4.0, 1.0];
-    let mut points = [0.0; 5];
-    for (point, (rpm, torque)) in points[1..].iter_mut().zip(SPEEDS_RPM.iter().zip(torques)) {
-        *point = rpm * PI / 30.0 * torque;
-    }
-    let share = points.iter().zip(REST).map(|(p, r)| p * r).sum::<f64>() / 70.0;
-    let [a, b, c, d, _]: [f64; 5] = std::array::from_fn(|k| points[k] - share * REST[k]);
-    // Newton's form in s = n / 1000 rpm: differences of the first four.
-    let [first, second, third] = [b - a, c - 2.0 * b + a, d - 3.0 * c + 3.0 * b - a];
-    let power = |s: f64| a + s * (first + (s - 1.0) / 2.0 * (second + (s - 2.0) / 3.0 * third));
-    let speeds: Vec<f64> = match step {
-        Some(step) => (1..).map(|k| f64::from(k) * step / 1000.0).take_while(|s| *s <= 4.0).collect(),
-        None => {
-            // The slope is x + y s + z s^2.
-            let (x, y, z) = (first - second / 2.0 + third / 3.0, second - third, third / 2.0);
-            let root = (y * y - 4.0 * x * z).max(0.0).sqrt();
-            let flat = [(-y + root) / (2.0 * z), (-y - root) / (2.0 * z), 4.0];
-            flat.into_iter().filter(|s| (0.0..=4.0).contains(s)).collect()
+/// The cubic with four free coefficients over the speed, fitted in least squares to rest and the powers of four torques.
+pub(crate) struct PowerCubic {
+    /// Power at rest [W], and its differences by Newton's form in `s = n / 1000 rpm`.
+    differences: [f64; 4],
+}
+
+impl PowerCubic {
+    /// Of the torques at 1000, 2000, 3000 and 4000 rpm.
+    ///
+    /// The cubic through five points at equal distances goes through the points less their share of (1, -4, 6, -4, 1),
+    /// the one row of five that no cubic can follow.
+    pub fn through(torques: [f64; 4]) -> PowerCubic {
+        const REST: [f64; 5] = [1.0, -4.0, 6.0, -4.0, 1.0];
+        let mut points = [0.0; 5];
+        for (point, (rpm, torque)) in points[1..].iter_mut().zip(SPEEDS_RPM.iter().zip(torques)) {
+            *point = rpm * PI / 30.0 * torque;
         }
-    };
-    let best = speeds.into_iter().map(|s| (1000.0 * s, power(s)));
-    best.max_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or((0.0, a))
+        let share = points.iter().zip(REST).map(|(p, r)| p * r).sum::<f64>() / 70.0;
+        let [a, b, c, d, _]: [f64; 5] = std::array::from_fn(|k| points[k] - share * REST[k]);
+        PowerCubic { differences: [a, b - a, c - 2.0 * b + a, d - 3.0 * c + 3.0 * b - a] }
+    }
+
+    /// Its power [W] at a speed [rpm].
+    pub fn power(&self, rpm: f64) -> f64 {
+        let [rest, first, second, third] = self.differences;
+        let s = rpm / 1000.0;
+        rest + s * (first + (s - 1.0) / 2.0 * (second + (s - 2.0) / 3.0 * third))
+    }
+
+    /// Speed [rpm] and amount [W] of the largest power up to 4000 rpm, among the multiples of a step if one is given.
+    fn largest(&self, step: Option<f64>) -> (f64, f64) {
+        let speeds: Vec<f64> = match step {
+            Some(step) => (1..).map(|k| f64::from(k) * step).take_while(|rpm| *rpm <= 4000.0).collect(),
+            None => {
+                // The slope is x + y s + z s^2.
+                let [_, first, second, third] = self.differences;
+                let (x, y, z) = (first - second / 2.0 + third / 3.0, second - third, third / 2.0);
+                let root = (y * y - 4.0 * x * z).max(0.0).sqrt();
+                let flat = [(-y + root) / (2.0 * z), (-y - root) / (2.0 * z), 4.0];
+                flat.into_iter().filter(|s| (0.0..=4.0).contains(s)).map(|s| 1000.0 * s).collect()
+            }
+        };
+        let best = speeds.into_iter().map(|rpm| (rpm, self.power(rpm)));
+        best.max_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or((0.0, self.power(0.0)))
+    }
 }
 
 #[cfg(test)]
@@ -139,9 +155,9 @@ mod tests {
     fn the_cubic_is_that_of_the_normal_equations() {
         // Solved apart from this by elimination: 26 879.577 W at 3761 rpm, 26 871.269 W at 3800 rpm.
         let torques = [35.5, 80.0, 72.9, 64.1];
-        let (rpm, power) = largest_power(torques, None);
+        let (rpm, power) = PowerCubic::through(torques).largest(None);
         assert!((rpm - 3761.0).abs() < 1.0 && (power - 26_879.577).abs() < 0.01, "{rpm} {power}");
-        let (rpm, power) = largest_power(torques, Some(100.0));
+        let (rpm, power) = PowerCubic::through(torques).largest(Some(100.0));
         assert!((rpm - 3800.0).abs() < 1e-9 && (power - 26_871.269).abs() < 0.01, "{rpm} {power}");
     }
 }

@@ -25,13 +25,8 @@ impl GasRun {
     pub fn of(engine: &Engine, kinematics: Kinematics) -> Result<GasRun, String> {
         let traces = traces();
         let gas = cylinder_gas(engine, &traces, engine.speed.highest).map_err(|error| error.to_string())?;
-        let request = TorqueRequest {
-            lever: Lever::Sine,
-            kinematics,
-            max_order: 1,
-            samples: 1,
-            ..TorqueRequest::default()
-        };
+        let request =
+            TorqueRequest { lever: Lever::Sine, kinematics, max_order: 1, ..TorqueRequest::default() };
         let found = torque(engine, &gas.cylinders, &request).map_err(|error| error.to_string())?;
         // Forces are printed to whole degrees.
         let request = BearingRequest { samples: 3600, ..BearingRequest::default() };

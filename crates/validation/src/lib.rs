@@ -15,6 +15,7 @@
 //! ```
 #![forbid(unsafe_code)]
 
+mod atlas;
 mod case;
 mod compared;
 mod crank_cycle;
@@ -25,7 +26,6 @@ mod gas_run;
 mod graph;
 mod inputs;
 mod method;
-mod mount;
 mod quantity;
 mod render;
 mod result;
@@ -34,16 +34,23 @@ mod shape;
 mod source;
 mod standalone;
 mod stress;
+mod suite;
 #[cfg(test)]
 mod tests;
-mod torsion;
 mod value;
 mod verdict;
 mod workshop;
 
+pub use atlas::{
+    Atlas, AtlasFigure, AtlasNumber, AtlasSource, FigureVerdict, atlas, atlas_markdown, atlas_page,
+};
 pub use render::{csv, markdown, text};
 pub use result::{
     Counts, Deferred, RowResult, SourceResult, TableResult, VALIDATION_VERSION, Validation, VerdictCount,
+};
+pub use suite::{
+    SUITE_VERSION, Suite, SuiteComparison, SuiteMotion, SuiteNumber, SuiteRow, SuiteSource, suite,
+    suite_schema,
 };
 pub use verdict::Verdict;
 
@@ -51,7 +58,7 @@ use case::{Bench, sheet};
 use files::Source;
 use inputs::{corners, is_input};
 use quantity::Key;
-use source::{Cell, Comparison, Edit, KinematicsName, Over, Row, Table};
+use source::{Cell, Column, Comparison, Edit, KinematicsName, Over, Row, Table};
 use value::{Ours, Value};
 use verdict::Printed;
 
@@ -98,20 +105,44 @@ fn keeps(filter: &str, name: &str) -> bool {
 }
 
 fn validate_table(bench: &mut Bench, source: &Source, table: &Table) -> TableResult {
-    let mut rows = Vec::new();
-    for row in &table.rows {
-        for (at, cell) in row.printed.cells().iter().enumerate() {
+    let rows = validate_rows(bench, source, table, |_, _| true);
+    TableResult { table: table.table.clone(), title: table.title.clone(), rows }
+}
+
+/// The cells of a table that are asked for, by row and column.
+fn validate_rows(
+    bench: &mut Bench,
+    source: &Source,
+    table: &Table,
+    asked: impl Fn(&Row, Option<&Column>) -> bool,
+) -> Vec<RowResult> {
+    let cells = cells(source, table).into_iter().filter(|at| asked(at.place.row, at.column));
+    let row = |at: CellAt| RowResult {
+        column: at.column.map(|c| c.name.clone()),
+        ..validate_cell(bench, &at.place, at.engine, at.cell)
+    };
+    cells.map(row).collect()
+}
+
+/// A cell with where it stands, its column and its engine.
+struct CellAt<'a> {
+    place: Place<'a>,
+    column: Option<&'a Column>,
+    engine: &'a [Edit],
+    cell: &'a Cell,
+}
+
+/// All cells of a table, row by row.
+fn cells<'a>(source: &'a Source, table: &'a Table) -> Vec<CellAt<'a>> {
+    let of_row = |row: &'a Row| {
+        row.printed.cells().iter().enumerate().map(move |(at, cell)| {
             let column = table.columns.get(at);
             let place = Place { source, table, row, column_edits: column.map_or(&[], |c| &c.with) };
-            let engine =
-                column.and_then(|c| c.engine.as_ref()).or(row.engine.as_ref()).unwrap_or(&table.engine);
-            rows.push(RowResult {
-                column: column.map(|c| c.name.clone()),
-                ..validate_cell(bench, &place, engine, cell)
-            });
-        }
-    }
-    TableResult { table: table.table.clone(), title: table.title.clone(), rows }
+            let own = column.and_then(|c| c.engine.as_ref()).or(row.engine.as_ref());
+            CellAt { place, column, engine: own.unwrap_or(&table.engine), cell }
+        })
+    };
+    table.rows.iter().flat_map(of_row).collect()
 }
 
 /// Where a cell stands.

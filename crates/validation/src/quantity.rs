@@ -14,28 +14,33 @@
 //!
 //! `... of rotating + reciprocating`, `... of cylinder 1` takes a name from these alone. The rest are data of the
 //! engine, see [`EngineDatum`]; `a plus b` adds them. Devices that a method fits: [`DeviceKey`]. Shapes of counterweights:
-//! [`ShapeKey`]. Forces at mounts: [`MountKey`]. What the gas does: [`GasKey`]. The bond graph: [`GraphKey`]. Static stress: [`StressKey`].
+//! [`ShapeKey`]. Where a piston is: [`PistonKey`]. Forces at mounts: [`MountKey`]. What the gas does: [`GasKey`]. The bond graph: [`GraphKey`]. Static stress: [`StressKey`].
 //! The flexible crankshaft over the cycle: [`CycleKey`]. Torsion: [`TorsionKey`]. Runs in time: [`RunKey`]. Workshop sheets:
 //! [`WorkshopKey`]. Mechanisms: [`MechanismKey`]. Oil films: [`FilmKey`].
+
+mod mount;
+mod piston;
+mod torsion;
 
 use crate::case::Run;
 use crate::crank_cycle::{CycleKey, cycle_of};
 use crate::gas::GasKey;
 use crate::graph::GraphKey;
 use crate::method::DeviceKey;
-use crate::mount::MountKey;
 use crate::rigid_run::RunKey;
 use crate::shape::ShapeKey;
 use crate::standalone::film::FilmKey;
 use crate::standalone::mechanism::MechanismKey;
 use crate::stress::{StressKey, StressRun};
-use crate::torsion::TorsionKey;
 use crate::value::Value;
 use crate::workshop::WorkshopKey;
 use lanchester::mechanism::Part;
 use lanchester::model::Engine;
 use lanchester::results::{Extremes, LoadSet};
+use mount::MountKey;
 use num_complex::Complex64;
+use piston::PistonKey;
+use torsion::TorsionKey;
 
 /// A quantity of a run.
 pub(crate) enum Key {
@@ -45,6 +50,8 @@ pub(crate) enum Key {
     Loads(LoadKey, Selection),
     /// Largest piston acceleration [m/s²].
     PistonAcceleration,
+    /// Where a piston is.
+    Piston(PistonKey),
     /// Of a device of the engine.
     Device(DeviceKey),
     /// Of a counterweight's shape.
@@ -182,6 +189,9 @@ impl Key {
         if text == "piston acceleration" {
             return Ok(Key::PistonAcceleration);
         }
+        if let Some(piston) = PistonKey::parse(text) {
+            return Ok(Key::Piston(piston));
+        }
         let datum = |text: &str| Some(ENGINE_DATA.iter().find(|(name, _)| *name == text)?.1);
         if let Some(data) = text.split(" plus ").map(datum).collect() {
             return Ok(Key::Engine(data));
@@ -242,6 +252,7 @@ impl Key {
                 Ok(Value::Number(amounts.fold(0.0, f64::max)))
             }
             Key::Loads(key, selection) => key.of(run, selection),
+            Key::Piston(piston) => piston.of(run).map(Value::Number),
             Key::Device(device) => device.of(&run.engine).map(Value::Number),
             Key::Shape(shape) => shape.of(&run.shape).map(Value::Number),
             Key::Mount(mount) => mount.of(run).map(Value::Number),
@@ -278,7 +289,8 @@ impl Key {
 }
 
 impl Selection {
-    fn parse(text: &str) -> Result<Selection, String> {
+    /// The selection of this name.
+    pub fn parse(text: &str) -> Result<Selection, String> {
         if let Some(number) = text.strip_prefix("cylinder ") {
             return number.parse().map(Selection::Cylinder).map_err(|_| format!("{number:?} is no cylinder"));
         }
@@ -292,7 +304,8 @@ impl Selection {
         text.split(" + ").map(part).collect::<Result<_, _>>().map(Selection::Parts)
     }
 
-    fn sets<'a>(&self, run: &'a Run) -> Result<Vec<&'a LoadSet>, String> {
+    /// Their loads.
+    pub fn sets<'a>(&self, run: &'a Run) -> Result<Vec<&'a LoadSet>, String> {
         match self {
             Selection::Total => Ok(vec![&run.loads.total]),
             Selection::Parts(parts) => {
@@ -481,7 +494,7 @@ fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
 }
 
 /// The twin thesis's `M_res = sqrt(M_x² + M_y² + M_z²)` with its own `M_z`.
-fn thesis_moment(run: &Run) -> Vec<f64> {
+pub(crate) fn thesis_moment(run: &Run) -> Vec<f64> {
     let trace = &run.loads.total.trace;
     let roll = run.roll_of_shafts();
     trace.couple_x.iter().zip(&trace.couple_y).zip(roll).map(|((x, y), z)| x.hypot(*y).hypot(z)).collect()

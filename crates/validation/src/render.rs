@@ -97,7 +97,9 @@ pub fn markdown(validation: &Validation) -> String {
          this page's tables, `lanchester validate --verbose` every number.\n\n\
          The tolerance of a number is half a unit of its last printed digit; every row shows it. A *match* is ours within the\n\
          tolerance, from the printed inputs. Nothing that was found afterwards to explain a number counts as one.\n\n\
-         A row that is no match says why (those that are inputs are only counted), and gives the correct value where it is known: ours must equal it to its digits.\n\n",
+         A row that is no match says why (those that are inputs are only counted), and gives the correct value where it is known: ours must equal it to its digits.\n\n\
+         The [atlas](atlas.md) has the sources' figures, drawn from our numbers. `lanchester validate --suite suite.json` writes all numbers with their inputs in\n\
+         SI for other programs; `validation/README.md` describes the form.\n\n",
     );
     let counts = &validation.counts;
     let _ = writeln!(out, "{} numbers:\n\n| verdict | numbers | meaning |\n|---|---:|---|", counts.rows);

@@ -6,7 +6,7 @@ use super::written::Written;
 pub const PUBLISHED: &str = "docs/src/validation.md";
 
 /// Pages and pictures of the book, and the picture of the README.
-pub const WRITTEN: [Written; 34] = [
+pub const WRITTEN: [Written; 35] = [
     Written::page("crates/studio/page/src/api/types.ts", "", &["studio", "--describe", "typescript"]),
     Written::page("crates/studio/openapi.json", "", &["studio", "--describe", "openapi"]),
     Written::page(
@@ -20,6 +20,7 @@ pub const WRITTEN: [Written; 34] = [
                step](guide/workshop.md).\n\n",
         &["schema", "--sheet", "--markdown"],
     ),
+    Written::page("validation/suite.schema.json", "", &["schema", "--suite"]),
     Written::page(PUBLISHED, "", &["validate", "--markdown"]),
     Written::figure(
         "docs/images/twin-spectrum.svg",

@@ -6,8 +6,13 @@ use crate::failure::{DONE, Failure};
 use crate::files::print;
 use lanchester::cycle::trace_codes;
 use lanchester::file::{json_schema, reference_markdown, sheet_reference_markdown, sheet_schema};
+use lanchester_validation::suite_schema;
 
 pub fn run(arguments: &SchemaArguments) -> Result<u8, Failure> {
+    if arguments.suite {
+        print(&json(&suite_schema())?)?;
+        return Ok(DONE);
+    }
     print(&match (arguments.sheet, arguments.markdown) {
         (false, false) => json(&json_schema())?,
         (false, true) => reference_markdown() + &of_traces(),

@@ -194,6 +194,30 @@ fn validate_ends_with_0_and_speaks_every_format() {
 }
 
 #[test]
+fn validate_draws_figures_of_the_sources_and_writes_numbers_for_other_programs() {
+    let folder = folder("validate-figures");
+    let figure = "twin-cylinder-thesis Figure 18";
+    let said = output(&folder, 0, &["validate", figure, "--figures", "atlas"]);
+    assert!(said.contains("1  drawn"), "{said}");
+    let read = |name: &str| fs::read_to_string(folder.join(name)).unwrap();
+    assert!(read("atlas/twin-thesis-figure-18.svg").contains("total F<tspan"));
+    assert!(read("atlas/twin-thesis-figure-18.csv").lines().count() > 2000);
+    assert!(read("atlas/index.html").contains("<img src=\"twin-thesis-figure-18.svg\""));
+    assert!(message(&folder, 2, &["validate", "no such figure", "--figures", "atlas"]).contains("Figure 18"));
+
+    let said = output(&folder, 0, &["validate", "Table 36", "--suite", "suite.json"]);
+    assert_eq!(said, "9 rows, 1 engines, version 1\n");
+    let suite: serde_json::Value = serde_json::from_str(&read("suite.json")).unwrap();
+    assert_eq!(suite["rows"][0]["expected"]["value"], 11587.78);
+    assert_eq!(suite["engines"]["engine 1"]["cylinders"].as_array().unwrap().len(), 4);
+    assert!(
+        message(&folder, 2, &["validate", "no such table", "--suite", "suite.json"]).contains("no source")
+    );
+    let schema = output_json(&folder, 0, &["schema", "--suite"]);
+    assert_eq!(schema["title"], "Suite");
+}
+
+#[test]
 fn an_option_that_would_be_ignored_is_refused() {
     let folder = folder("ignored");
     for arguments in [
@@ -201,6 +225,8 @@ fn an_option_that_would_be_ignored_is_refused() {
         &["loads", &twin(), "--table", "trace"],
         &["validate", "--verbose", "--format", "csv"],
         &["validate", "--markdown", "--format", "csv"],
+        &["validate", "--figures", "atlas", "--format", "csv"],
+        &["validate", "--suite", "suite.json", "--format", "csv"],
     ] {
         assert!(message(&folder, 2, arguments).contains("--format"), "{arguments:?}");
     }

@@ -115,6 +115,13 @@ pub(crate) fn value_axis(svg: &mut Svg, axis: &Axis, top: f64, bottom: f64) {
     }
 }
 
+/// The label of a tick below an axis, from its end; one that would be cut off ends with the drawing.
+pub(crate) fn tick_below(svg: &mut Svg, (x, bottom): (f64, f64), text: &str) {
+    let is_cut = x + 0.5 * text_width(text, 11.5) > svg.width;
+    let (at, anchor) = if is_cut { (svg.width, Anchor::End) } else { (x, Anchor::Middle) };
+    svg.text("small", (at, bottom + 17.0), anchor, text);
+}
+
 /// Rows of line samples with names, above the plot so that they never cover data.
 pub(crate) struct Legend {
     entries: Vec<(String, usize, (f64, f64))>,
@@ -166,32 +173,39 @@ pub struct CaseBars<'a> {
     pub unit: &'a str,
     /// What a case is called.
     pub case: &'a str,
-    /// One bar a case, at its number.
+    /// One bar a case, side by side, named by its number.
     pub bars: Vec<Bar>,
+    /// A level to compare with: its name and value.
+    pub level: Option<(&'a str, f64)>,
 }
 
 impl CaseBars<'_> {
     /// Draws the bars, each with its value.
     pub fn panel(&self) -> Panel {
-        let largest = self.bars.iter().map(|b| b.value).filter(|v| v.is_finite()).fold(0.0f64, f64::max);
+        let heights = self.bars.iter().map(|b| b.value).chain(self.level.map(|(_, value)| value));
+        let largest = heights.filter(|v| v.is_finite()).fold(0.0f64, f64::max);
         let scale = Scale::of(largest, self.unit);
         let axis = Axis::of(0.0, if largest > 0.0 { 1.06 * largest / scale.divisor } else { 1.0 }, 5);
-        let first = self.bars.iter().map(|b| b.at).fold(f64::INFINITY, f64::min);
-        let last = self.bars.iter().map(|b| b.at).fold(f64::NEG_INFINITY, f64::max);
-        let cases = Axis::stepped(first - 0.6, last + 0.6, 1.0);
+        let cases = Axis::stepped(-0.6, self.bars.len() as f64 - 0.4, 1.0);
         let mut svg = Svg::new(WIDTH, HEIGHT);
         let (right, top, bottom) = (WIDTH - RIGHT, 36.0, HEIGHT - BOTTOM);
         svg.text("muted small", (4.0, 13.0), Anchor::Start, &format!("{} [{}]", self.quantity, scale.unit));
         value_axis(&mut svg, &axis, top, bottom);
         let mut said = Vec::with_capacity(self.bars.len());
-        for bar in &self.bars {
-            let x = cases.place(bar.at, LEFT, right);
+        for (index, bar) in self.bars.iter().enumerate() {
+            let x = cases.place(index as f64, LEFT, right);
             let y = axis.place(bar.value / scale.divisor, bottom, top);
             let value = number::short(bar.value / scale.divisor, 3);
             svg.rect("bar1", x - 12.0, y, 24.0, bottom - y);
             svg.text("small halo", (x, y - 5.0), Anchor::Middle, &value);
             svg.text("small", (x, bottom + 17.0), Anchor::Middle, &number::order(bar.at));
             said.push(format!("{} {value}", number::order(bar.at)));
+        }
+        if let Some((name, value)) = self.level {
+            let y = axis.place(value / scale.divisor, bottom, top);
+            svg.line("limit", (LEFT, y), (right, y));
+            svg.text("small halo", (right, y - 5.0), Anchor::End, name);
+            said.push(format!("{name} {}", number::short(value / scale.divisor, 3)));
         }
         svg.text("muted small", ((LEFT + right) / 2.0, bottom + 37.0), Anchor::Middle, self.case);
         Panel::new(svg, format!("{} [{}] by {}: {}.", self.quantity, scale.unit, self.case, said.join("; ")))

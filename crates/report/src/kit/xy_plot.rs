@@ -3,7 +3,7 @@
 use crate::kit::axis::Axis;
 use crate::kit::figure::Panel;
 use crate::kit::number::{self, Scale};
-use crate::kit::plot::{BOTTOM, HEIGHT, LEFT, Legend, RIGHT, WIDTH, value_axis};
+use crate::kit::plot::{BOTTOM, HEIGHT, LEFT, Legend, RIGHT, WIDTH, tick_below, value_axis};
 use crate::kit::svg::{Anchor, Path, Svg};
 
 /// One curve, or dots where `dots`.
@@ -61,7 +61,7 @@ impl XyPlot<'_> {
             let x = x_axis.place(tick, LEFT, right);
             let class = if tick.abs() < 1e-9 * x_axis.step() { "zero" } else { "grid" };
             svg.line(class, (x, top), (x, bottom));
-            svg.text("small", (x, bottom + 17.0), Anchor::Middle, &number::fixed(tick, x_axis.decimals));
+            tick_below(&mut svg, (x, bottom), &number::fixed(tick, x_axis.decimals));
         }
         let middle = ((LEFT + right) / 2.0, bottom + 37.0);
         svg.text("muted small", middle, Anchor::Middle, &format!("{} [{}]", self.abscissa, x_scale.unit));

@@ -375,7 +375,7 @@ fn comparison(arrangements: &[ArrangementResult]) -> Vec<Panel> {
                 })
                 .collect();
             let any = bars.iter().any(|b| b.value > 0.0);
-            any.then(|| CaseBars { quantity, unit, case: "arrangement", bars }.panel())
+            any.then(|| CaseBars { quantity, unit, case: "arrangement", bars, level: None }.panel())
         })
         .collect()
 }

@@ -3,7 +3,7 @@
 use crate::kit::axis::Axis;
 use crate::kit::figure::{Figure, Panel};
 use crate::kit::number::{self, Scale};
-use crate::kit::plot::{Legend, WIDTH};
+use crate::kit::plot::{Legend, WIDTH, tick_below};
 use crate::kit::svg::{Anchor, Path, Svg};
 use lanchester_literature::{CrankLoad, CrankSweep, SweptCrank};
 
@@ -129,7 +129,7 @@ fn draw(
     for &tick in &amounts.ticks {
         let x = amounts.place(tick, LEFT, right);
         svg.line("grid", (x, top), (x, bottom));
-        svg.text("small", (x, bottom + 17.0), Anchor::Middle, &number::fixed(tick, amounts.decimals));
+        tick_below(&mut svg, (x, bottom), &number::fixed(tick, amounts.decimals));
     }
     let middle = (LEFT + right) / 2.0;
     svg.text("muted small", (middle, bottom + 37.0), Anchor::Middle, "counterweight of throw 1 [kg m]");
