@@ -8,6 +8,7 @@ pub(crate) mod figures;
 pub(crate) mod files;
 pub(crate) mod reading;
 pub(crate) mod results;
+pub(crate) mod sensitivity;
 pub(crate) mod session;
 pub(crate) mod shape_preview;
 pub(crate) mod simulation;
@@ -24,6 +25,7 @@ pub(crate) fn all() -> Api {
         reading::questions,
         results::questions,
         torsion::questions,
+        sensitivity::questions,
         simulation::questions,
         figures::questions,
         balancing::questions,

@@ -14,5 +14,5 @@ pub use scatter_tables::{
     scatter_limit_table, scatter_table, scatter_text, tighten_words, tolerance_name, tolerance_table,
 };
 pub use sensitivity_tables::{
-    input_name, measure_unit, sensitivity_csv, sensitivity_tables, sensitivity_text,
+    input_name, input_range, measure_unit, sensitivity_csv, sensitivity_tables, sensitivity_text,
 };

@@ -49,7 +49,7 @@ impl AtSpeed {
     }
 }
 
-fn positive(speed: Option<f64>) -> Result<Option<f64>, Problem> {
+pub(crate) fn positive(speed: Option<f64>) -> Result<Option<f64>, Problem> {
     match speed {
         Some(speed) if !(speed > 0.0 && speed.is_finite()) => Err(Problem::refused(format!(
             "the speed must be positive, got {speed} rad/s\nhint: leave it out for the highest"

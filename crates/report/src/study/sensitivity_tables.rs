@@ -42,6 +42,15 @@ fn shown(varied: &VariedInput, value: f64) -> String {
     format!("{} {unit}", number::trimmed(factor * value, 4))
 }
 
+/// Nominal value of an input, where it has one, and how far it goes either way: "46.4 mm ± 0.464 mm".
+pub fn input_range(varied: &VariedInput) -> String {
+    let range = format!("± {}", shown(varied, varied.half_width));
+    match varied.nominal {
+        Some(nominal) => format!("{} {range}", shown(varied, nominal)),
+        None => range,
+    }
+}
+
 /// Largest change of an output by an input.
 fn change(own: &OutputSensitivity, effect: &Effect) -> f64 {
     let ends = [effect.below, effect.above].into_iter().flatten();

@@ -424,3 +424,21 @@ test.describe("latency", () => {
     );
   });
 });
+
+test("the strongest number is first, for what is chosen", async ({ studio, page }) => {
+  await page.goto(studio.address);
+  await page.getByRole("tab", { name: "Results" }).click();
+  await page
+    .getByRole("navigation", { name: "Kinds of results" })
+    .getByRole("button", { name: "What matters most" })
+    .click();
+  const force = page.getByRole("region", { name: "Peak force" });
+  await expect(force.getByRole("row").nth(1)).toContainText("crank radius");
+  // A percent of the radius is two of the force, nearly.
+  await expect(force.getByRole("row").nth(1)).toContainText(/2\.\d+ %/);
+
+  await page.getByRole("radio", { name: "Mounts" }).check({ force: true });
+  await expect(page.getByRole("region", { name: /mount/i }).first()).toContainText("mount stiffness");
+  await page.getByLabel("every part by itself").check();
+  await expect(page.getByRole("region", { name: /mount/i }).first()).toContainText("piston mass 1");
+});

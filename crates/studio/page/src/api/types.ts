@@ -2959,6 +2959,18 @@ export type Outcome = {
   reason: string;
 };
 
+/** An output over all ranges. */
+export type OutputRange = {
+  /** With each input at its lower and at its upper end, in the order of the inputs; `null` if no engine is there. */
+  ends: Array<[number | null, number | null]>;
+  /** Which. */
+  name: string;
+  /** Of the nominal engine, in that unit. */
+  nominal: number;
+  /** Its SI unit. */
+  unit: string;
+};
+
 /** Two bodies that overlap. */
 export type Overlap = {
   /** In which direction. */
@@ -3367,6 +3379,32 @@ export type SectionKind = "journal" | "pin" | "web" | "counterweight";
 
 /** Which way a load turns. */
 export type Sense = "forward" | "backward" | "none";
+
+/** Loads with each number of the engine at either end of a range. */
+export type SensitivityAnswer = {
+  /** What varies. */
+  inputs: VariedNumber[];
+  /** What is looked at. */
+  outputs: OutputRange[];
+  /** Speed of crankshaft 1 [rad/s]. */
+  speed: number;
+  /** What the user should know of the gas. */
+  warnings: string[];
+};
+
+/** An engine at a speed, and what is looked at. */
+export type SensitivityQuestion = {
+  /** Whether every part varies by itself, or all parts of a kind together. */
+  each: boolean;
+  /** Outputs as `lanchester sensitivity --output` takes them; peaks of force, couple and roll moment where there are none. */
+  outputs: string[];
+  /** Speed of crankshaft 1 [rad/s]; the highest of the engine where it is left out. */
+  speed: number | null;
+  /** The engine file. */
+  text: string;
+  /** Whether counterweights follow the masses of their throws, or stay as they are. */
+  weights_follow: boolean;
+};
 
 /** The start of a session. */
 export type Session = {
@@ -4108,6 +4146,14 @@ export type Unmeasured = {
   reason: string;
   /** What would give it. */
   remedy: string;
+};
+
+/** A number of the engine that varies. */
+export type VariedNumber = {
+  /** What it is. */
+  name: string;
+  /** Its nominal value and how far it goes either way, in words with a unit. */
+  range: string;
 };
 
 /** What is odd, though it can be computed. */
