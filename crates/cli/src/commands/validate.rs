@@ -73,7 +73,8 @@ fn figures(arguments: &ValidateArguments, folder: &Path) -> Result<u8, Failure> 
         let listed = FigureVerdict::ALL.map(|verdict| (found.count(verdict), verdict.name()));
         let lines = listed.iter().filter(|(count, _)| *count > 0);
         let lines: String = lines.map(|(count, name)| format!("{count:5}  {name}\n")).collect();
-        format!("Figures of {} sources\n{lines}", found.sources.len())
+        let sources = found.sources.len();
+        format!("Figures of {sources} {}\n{lines}", if sources == 1 { "source" } else { "sources" })
     })?;
     Ok(if found.passed() { DONE } else { NOT_AS_EXPECTED })
 }

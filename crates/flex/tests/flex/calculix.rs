@@ -113,6 +113,28 @@ fn ext_calculix_static() {
     }
 }
 
+/// A crankshaft of one throw with fillets under the force of its pin and its centrifugal field, clamped at its ends, as `stress export` wrote it.
+#[test]
+fn ext_calculix_crankshaft() {
+    let (deck, wanted) = (deck("crank-static"), results("crank-static"));
+    let DeckStep::Static(case) = &deck.steps[0] else { panic!("a static step") };
+    let solution = solve_static(&deck.mesh, case, SolveOptions::default()).unwrap();
+    let energy = wanted["energy_mJ"].as_f64().unwrap();
+    assert!((1e3 * solution.energy / energy - 1.0).abs() < 1e-6, "{} {energy}", 1e3 * solution.energy);
+    let largest = wanted["largest_displacement_mm"].as_f64().unwrap();
+    let length = |u: &[f64; 3]| u.iter().map(|u| u * u).sum::<f64>().sqrt();
+    let ours = solution.displacements.iter().map(length).fold(0.0, f64::max);
+    assert!((1e3 * ours / largest - 1.0).abs() < 1e-6, "{} {largest}", 1e3 * ours);
+    let some = wanted["some_displacements_mm"].as_array().unwrap();
+    assert!(some.len() > 200);
+    for row in some.iter().map(numbers) {
+        let ours = solution.displacements[row[0] as usize - 1];
+        for (ours, theirs) in ours.iter().zip(&row[1..]) {
+            assert!((1e3 * ours - theirs).abs() < 1e-6 * largest, "node {}: {ours} {theirs}", row[0]);
+        }
+    }
+}
+
 #[test]
 fn ext_calculix_modes() {
     for name in NAMES {

@@ -62,6 +62,23 @@ for (const theme of THEMES) {
     });
   });
 
+  test.describe(`torsional vibration, ${theme}`, () => {
+    test.use({
+      colorScheme: theme,
+      example: "in-line-6-torsion.toml",
+      viewport: { width: 1280, height: 1000 },
+    });
+
+    test("a damper that is tried", async ({ page, studio }) => {
+      await start(page, studio.address, theme);
+      await tab(page, "results");
+      await section(page, "Torsional vibration");
+      await page.getByRole("slider", { name: "Damping" }).fill("20");
+      await expect(page.getByRole("button", { name: "As the file says", exact: true })).toBeEnabled();
+      await draw(page, `torsion-${theme}`);
+    });
+  });
+
   test.describe(`results, ${theme}`, () => {
     test.use({ colorScheme: theme, example: "in-line-4-mounts.toml" });
 

@@ -20,7 +20,7 @@ import { createServer } from "node:net";
 import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
 
-const PROGRAM = process.env.LANCHESTER_PROGRAM ?? resolve("../../../target/debug/lanchester");
+export const PROGRAM = process.env.LANCHESTER_PROGRAM ?? resolve("../../../target/debug/lanchester");
 const PAGE = process.env.LANCHESTER_PAGE;
 const WEB = process.env.LANCHESTER_WEB;
 const EXAMPLES = resolve("../../../examples");

@@ -1,8 +1,12 @@
-// The main story of this part of the page: from the gallery to a saved file and its report.
+// Stories of the guide's page "Five users, five stories", and the main one: from the gallery to a saved file and its report.
 
+import { execFile } from "node:child_process";
 import { readFile } from "node:fs/promises";
+import { join } from "node:path";
+import { pathToFileURL } from "node:url";
+import { promisify } from "node:util";
 import { field, figure, newEngine, opened, text, type } from "./page";
-import { expect, test } from "./server";
+import { expect, PROGRAM, test } from "./server";
 
 test.use({ example: "" });
 
@@ -150,3 +154,67 @@ test("the way to outlines goes by keyboard alone", async ({ studio, page }) => {
   await page.keyboard.press("Enter");
   await expect(page.getByText("Saved by-keyboard.toml")).toBeVisible();
 });
+
+test("an NVH engineer finds what reaches the frame, what matters most for it, and takes the curves along", async ({
+  studio,
+  page,
+}) => {
+  await page.goto(studio.address);
+  await opened(page);
+  await newEngine(page, "flat crank", "in-line four, flat crank");
+  await page.getByRole("tab", { name: "Results" }).click();
+  const kinds = page.getByRole("navigation", { name: "Kinds of results" });
+  await kinds.getByRole("button", { name: "Mounts" }).click();
+  await page.getByRole("button", { name: "Insert typical values" }).click();
+  const forces = page.locator('figure[data-plot="Transmitted forces"]');
+  await expect(forces).toBeVisible();
+  const waiting = page.waitForEvent("download");
+  await forces.getByRole("button", { name: "(CSV)" }).click();
+  const lines = (await readFile(await (await waiting).path(), "utf8")).trim().split("\r\n");
+  expect(lines[0]).toContain("Speed");
+  expect(lines.length).toBeGreaterThan(50);
+
+  await kinds.getByRole("button", { name: "What matters most" }).click();
+  await page.getByRole("radio", { name: "Mounts" }).check({ force: true });
+  const most = page.getByRole("region", { name: "peak mount force" });
+  await expect(most.getByRole("row").nth(1)).toContainText("%");
+  await expect(most).toContainText("mount stiffness");
+});
+
+test("a student sees why a single shakes, what a counterweight can do, and what it costs", async ({
+  studio,
+  page,
+}) => {
+  await page.goto(studio.address);
+  await opened(page);
+  await newEngine(page, "single", "single, four-stroke, crank counterweight of 50 %");
+  await page.getByRole("tab", { name: "Results" }).click();
+  await expect(page.getByRole("region", { name: "What shakes, and what removes it" })).toContainText("force");
+  const before = Number((await figure(page, "Force, order 1").textContent())?.replace(/\D/g, ""));
+  await page.getByRole("tab", { name: "Compare" }).click();
+  await page.getByRole("button", { name: "Pin this state" }).click();
+  await page.getByRole("tab", { name: "Engine" }).click();
+  // Nothing against the reciprocating mass: the two halves of its first order turn both ways, and make twice as much where they meet.
+  await type(page, "counterweights.reciprocating_share", "0 %");
+  const order = async () => Number((await figure(page, "Force, order 1").textContent())?.replace(/\D/g, ""));
+  await expect.poll(order).toBeGreaterThan(1.9 * before);
+  expect(await order()).toBeLessThan(2.1 * before);
+  await page.getByRole("tab", { name: "Compare" }).click();
+  await expect(page.getByRole("heading", { name: "Headline numbers" })).toBeVisible();
+});
+
+test(
+  "a researcher has the published figures drawn from computed numbers",
+  { tag: "@server" },
+  async ({ studio, page }) => {
+    await promisify(execFile)(PROGRAM, ["validate", "Figure 18", "--figures", "atlas"], {
+      cwd: studio.folder,
+    });
+    await page.goto(pathToFileURL(join(studio.folder, "atlas", "index.html")).href);
+    const picture = page.getByRole("img").first();
+    await expect(picture).toBeVisible();
+    expect(await picture.evaluate((image) => image.getBoundingClientRect().width)).toBeGreaterThan(200);
+    const values = await readFile(join(studio.folder, "atlas", "twin-thesis-figure-18.csv"), "utf8");
+    expect(values.split("\n").length).toBeGreaterThan(300);
+  },
+);
