@@ -403,7 +403,7 @@ fn what_cannot_be_computed_is_refused() {
         (&["static", "--force", "1: 1 kN", "--angle", "7 deg"], "--angle beside --force has no effect"),
         (&["fatigue", "--support", "springs", "--stiffness", "1 kN/mm : 2 kN/mm"], "at every crank angle"),
         (&["modes", "--fillet-elements", "3"], "an even number"),
-        (&["export", "--output", "case.stp"], ".inp, .vtu, .glb or .stl"),
+        (&["export", "--output", "case.stp"], ".inp, .vtu, .pvd, .glb or .stl"),
         (&["export", "--output", "case.inp", "--deformation", "10"], ".glb and .stl"),
         (&["export", "--modes", "2", "--output", "modes.stl"], "one shape"),
         (&["modes", "--support", "rings"], "needs a support that is linear"),
