@@ -35,7 +35,7 @@ struct TorsionQuestion {
 /// Torsional vibration of an engine over its speeds: amplitudes, half of largest less least value.
 #[derive(Debug, Serialize, JsonSchema)]
 struct TorsionAnswer {
-    /// Where the pressures come from, in words; `None`: no gas acts.
+    /// Where the pressures come from, in words; `null` where no gas acts.
     gas: Option<String>,
     /// Names of the stations along the chain.
     stations: Vec<String>,
@@ -124,7 +124,9 @@ fn with_damper(file: EngineFile, question: &TorsionQuestion) -> Result<EngineFil
     damper.ring_inertia = ring_inertia.unwrap_or(damper.ring_inertia);
     damper.damping = damping.unwrap_or(damper.damping);
     damper.stiffness = stiffness.unwrap_or(damper.stiffness);
-    let engine = Engine::new(parts)
-        .map_err(|faults| Problem::refused(faults.first().map_or_else(String::new, ToString::to_string)))?;
+    let engine = Engine::new(parts).map_err(|faults| {
+        let all: Vec<String> = faults.iter().map(ToString::to_string).collect();
+        Problem::refused(all.join("\n"))
+    })?;
     Ok(EngineFile { engine, ..file })
 }

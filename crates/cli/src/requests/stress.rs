@@ -20,9 +20,6 @@ use lanchester::{
     CycleRequest, FatigueRequest, GivenForce, RuleRequest, StaticRequest, StressLoad, StressMesh, stress_case,
 };
 
-/// Most crank angles of static cases.
-const MOST_ANGLES: usize = 360;
-
 /// Which crankshaft, how fine.
 ///
 /// `usual`: elements across a fillet where neither the option nor the file says how many.
@@ -232,7 +229,10 @@ fn loads(own: &LoadArguments, held: &CrankSupport) -> Result<(StressLoad, Vec<f6
     let speed = |text: &String| option::speed(text, "--speed").map_err(Failure::from);
     let speeds = own.speed.iter().map(speed).collect::<Result<Vec<f64>, Failure>>()?;
     let load = match (&own.angle, own.force.is_empty()) {
-        (Some(text), true) => StressLoad::Angles(angles(text)?),
+        (Some(text), true) => {
+            let one = |one: &str| option::angle(one, "--angle").map_err(Failure::from);
+            StressLoad::Angles(value_list(text, "--angle", one)?)
+        }
         (None, true) => StressLoad::Extremes,
         (Some(_), false) if !held.depends_on_angle() => {
             return Err(Failure::input(
@@ -247,21 +247,6 @@ fn loads(own: &LoadArguments, held: &CrankSupport) -> Result<(StressLoad, Vec<f6
         }
     };
     Ok((load, speeds))
-}
-
-/// Crank angles: one, a list, a range.
-fn angles(text: &str) -> Result<Vec<f64>, Failure> {
-    let angles = value_list(text, "--angle", |one| option::angle(one, "--angle").map_err(Failure::from))?;
-    if angles.len() > MOST_ANGLES {
-        return Err(Failure::input(
-            format_args!(
-                "--angle has {} angles, and each keeps the stress of the whole crankshaft: at most {MOST_ANGLES}",
-                angles.len()
-            ),
-            "take larger steps, or ask for a part of the cycle at a time; `stress fatigue` and `stress cycle` go over the whole cycle at the fillets",
-        ));
-    }
-    Ok(angles)
 }
 
 /// `1: -65 kN, 10.7 kN`: pin, radial and tangential force; the second one may be left out.

@@ -12,6 +12,9 @@ use std::f64::consts::{PI, TAU};
 /// Steps in which extremes over the cycle are sought [rad].
 const STEP: f64 = PI / 180.0;
 
+/// Most crank angles at a time: each keeps the stress of the whole crankshaft.
+const MOST_ANGLES: usize = 360;
+
 /// A named load.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct NamedLoad {
@@ -135,6 +138,9 @@ fn of_closed_form(
     let at = |theta: &[f64]| throw_forces(engine, cylinders, &asked, crankshaft, theta);
     let rpm = speed * 30.0 / PI;
     if let StressLoad::Angles(angles) = &request.load {
+        if angles.len() > MOST_ANGLES {
+            return Err(StressError::Angles { got: angles.len(), most: MOST_ANGLES });
+        }
         let one = |(theta, forces): (&f64, Vec<ThrowForce>)| {
             let name = format!("crank angle {:.1} deg, {rpm:.0} rpm", theta.to_degrees());
             named(engine, crankshaft, name, *theta, speed, &forces)

@@ -247,6 +247,16 @@ pub enum StressError {
         /// The names that there are.
         known: Vec<String>,
     },
+    /// More crank angles than results of the whole crankshaft can be kept.
+    #[error(
+        "{got} crank angles, each with the stress of the whole crankshaft, are more than the {most} that are kept at a time\nhint: take larger steps or a part of the cycle; fatigue and the crank train over the cycle go over all of it, at the fillets"
+    )]
+    Angles {
+        /// How many were asked for.
+        got: usize,
+        /// How many there may be.
+        most: usize,
+    },
     /// A crankshaft or pin that is not there.
     #[error("{what} {number} is needed, the engine has {there}\nhint: numbers count from 1")]
     Missing {

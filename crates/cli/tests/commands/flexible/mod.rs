@@ -338,7 +338,7 @@ fn angles_of_the_cycle_are_a_series() {
     assert!((here / alone - 1.0).abs() < 1e-9, "{here} {alone}");
     for (rest, wanted) in [
         (&["export", "--modes", "2", "--output", "modes.pvd"][..], "a .pvd file load cases"),
-        (&["static", "--angle", "0 deg .. 720 deg by 1 deg"], "at most 360"),
+        (&["static", "--angle", "0 deg .. 720 deg by 1 deg"], "721 crank angles"),
         (&["static", "--angle", "7 deg, x"], "--angle"),
     ] {
         let said = message(&folder, 2, &words(rest));

@@ -3969,7 +3969,7 @@ export type TorsionAnswer = {
   campbell: Campbell;
   /** The damper, where there is one. */
   damper: DamperAnswer | null;
-  /** Where the pressures come from, in words; `None`: no gas acts. */
+  /** Where the pressures come from, in words; `null` where no gas acts. */
   gas: string | null;
   /** Limits of the file. */
   limits: TorsionLimit[];
