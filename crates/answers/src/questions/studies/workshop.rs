@@ -66,13 +66,19 @@ pub(super) fn questions(api: Api) -> Api {
 fn sheet(_: &Asker, question: WorkshopQuestion) -> Result<WorkshopAnswer, Problem> {
     let reading = read_sheet(&question.sheet);
     let mistakes = reading.diagnostics;
-    let Some(sheet) = reading.sheet else {
+    let Some(mut sheet) = reading.sheet else {
         let first = mistakes.first().map_or("", |diagnostic| diagnostic.message.as_str());
         let mut problem = Problem::refused(format!("the workshop sheet has mistakes: {first}"));
         problem.hint = mistakes.first().and_then(|first| first.hint.clone());
         return Err(problem);
     };
     let engine = question.text.as_deref().map(engine).transpose()?;
+    if engine.is_some() {
+        // The pins of a sheet stand for the throws of the engine, one after the other where it names none.
+        for (index, pin) in sheet.bobweight.iter_mut().flat_map(|own| &mut own.pins).enumerate() {
+            pin.throw = pin.throw.or(Some(index + 1));
+        }
+    }
     let mut printed = Vec::new();
     let bobweights = match &sheet.bobweight {
         None => None,

@@ -1,0 +1,27 @@
+// How long the bars of published methods are, and which method is furthest from its optimum.
+
+import type { MethodResult } from "../../../api/types";
+
+export type Load = "force" | "couple";
+
+/** The largest value of a load that any method leaves. */
+export function largest(methods: readonly MethodResult[], load: Load): number {
+  return Math.max(0, ...methods.map(({ left }) => left?.[load].method ?? 0));
+}
+
+/** Length of a bar [%]. */
+export function width(value: number, most: number): number {
+  return most > 0 ? (100 * value) / most : 0;
+}
+
+/** The method whose force could be made smallest in proportion with its own devices, in a sentence. */
+export function gap(methods: readonly MethodResult[]): string {
+  const ratios = methods.flatMap(({ name, left }) => {
+    const force = left?.force;
+    if (!force || force.optimum === null || force.method <= 0) return [];
+    return [{ name, share: 1 - force.optimum / force.method }];
+  });
+  const widest = ratios.toSorted((a, b) => b.share - a.share)[0];
+  if (!widest || widest.share < 0.005) return "";
+  return `${widest.name} leaves most of what could be had: the optimum of its devices has ${Math.round(100 * widest.share)} % less force.`;
+}
