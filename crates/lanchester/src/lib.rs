@@ -86,7 +86,7 @@ pub use mounted::{MountSpeeds, MountedError, mounts};
 pub use operating_point::{operating_point, sensitivity_amount};
 pub use parts::*;
 pub use pressure::*;
-pub use published_methods::{MethodLoad, MethodLoads, MethodResult, published_methods};
+pub use published_methods::{MethodLoad, MethodLoads, MethodResult, loads_as_it_is, published_methods};
 pub use robust_balance::{MOST_ENGINES, RobustError, RobustOptions, robust_balance, robust_balance_while};
 pub use running::{Running, is_running, running};
 pub use sample_study::{SampleStudy, SavedScatter};

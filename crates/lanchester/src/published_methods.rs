@@ -75,6 +75,14 @@ pub fn published_methods(engine: &Engine) -> Vec<MethodResult> {
     all
 }
 
+/// The engine as it is, beside the methods.
+///
+/// # Errors
+/// [`BalanceError`] where its loads cannot be computed.
+pub fn loads_as_it_is(engine: &Engine) -> Result<MethodLoads, BalanceError> {
+    Ok(loads(engine, peaks(engine)?, [None, None]))
+}
+
 fn half_name(method: &PublishedMethod) -> &'static str {
     match method {
         PublishedMethod::ThreeCylinder(_) => "50 % rule with a balancer shaft",

@@ -4,8 +4,7 @@ use crate::api::Api;
 use crate::asker::Asker;
 use crate::problem::Problem;
 use crate::questions::reading::{EngineText, engine};
-use lanchester::mechanism::{LoadRequest, total_loads};
-use lanchester::{MethodLoad, MethodLoads, MethodResult, published_methods};
+use lanchester::{MethodLoads, MethodResult, loads_as_it_is, published_methods};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -30,9 +29,6 @@ pub(super) fn questions(api: Api) -> Api {
 
 fn published(_: &Asker, question: EngineText) -> Result<PublishedAnswer, Problem> {
     let engine = engine(&question.text)?;
-    let peaks = total_loads(&engine, &LoadRequest::default()).map_err(Problem::refused)?.peaks;
-    let as_it_is = |method: f64| MethodLoad { method, optimum: None };
-    let own =
-        MethodLoads { force: as_it_is(peaks.force.max.value), couple: as_it_is(peaks.couple.max.value) };
+    let own = loads_as_it_is(&engine).map_err(Problem::refused)?;
     Ok(PublishedAnswer { speed: engine.speed.highest, own, methods: published_methods(&engine) })
 }

@@ -42,6 +42,8 @@ struct SheetBobweights {
     share: f64,
     /// Whether the sheet gives it; else it leaves the smallest first order.
     given: bool,
+    /// What a derived share leaves least of; none where none was derived.
+    judged_by: Option<&'static str>,
     /// Pin by pin.
     pins: Vec<Bobweight>,
     /// The engine with these parts, its crank balanced in different ways.
@@ -92,6 +94,7 @@ fn sheet(_: &Asker, question: WorkshopQuestion) -> Result<WorkshopAnswer, Proble
             Some(SheetBobweights {
                 share: answer.reciprocating_share,
                 given: answer.share_given,
+                judged_by: answer.judged_by,
                 pins: answer.bobweights,
                 comparison: answer.comparison,
             })

@@ -3974,6 +3974,8 @@ export type SheetBobweights = {
   comparison: BobweightComparison | null;
   /** Whether the sheet gives it; else it leaves the smallest first order. */
   given: boolean;
+  /** What a derived share leaves least of; none where none was derived. */
+  judged_by: string | null;
   /** Pin by pin. */
   pins: Bobweight[];
   /** Share of the reciprocating masses. */

@@ -14,6 +14,17 @@ export function width(value: number, most: number): number {
   return most > 0 ? (100 * value) / most : 0;
 }
 
+/** Methods of one source, in their order. */
+export function bySource(methods: readonly MethodResult[]): { source: string; methods: MethodResult[] }[] {
+  const groups: { source: string; methods: MethodResult[] }[] = [];
+  for (const method of methods) {
+    const last = groups.at(-1);
+    if (last?.source === method.source) last.methods.push(method);
+    else groups.push({ source: method.source, methods: [method] });
+  }
+  return groups;
+}
+
 /** The method whose force could be made smallest in proportion with its own devices, in a sentence. */
 export function gap(methods: readonly MethodResult[]): string {
   const ratios = methods.flatMap(({ name, left }) => {
@@ -23,5 +34,5 @@ export function gap(methods: readonly MethodResult[]): string {
   });
   const widest = ratios.toSorted((a, b) => b.share - a.share)[0];
   if (!widest || widest.share < 0.005) return "";
-  return `${widest.name} leaves most of what could be had: the optimum of its devices has ${Math.round(100 * widest.share)} % less force.`;
+  return `Most is left to gain with “${widest.name}”: the optimum of its devices has ${Math.round(100 * widest.share)} % less force.`;
 }
