@@ -5,7 +5,7 @@ import type { Fields } from "./sheet";
 class SheetFields {
   now = $state<Fields>({
     name: "crank",
-    pins: 1,
+    pins: 0,
     rods: 1,
     oil: "",
     share: "",
