@@ -2834,6 +2834,23 @@ export type Method = {
   solves: number;
 };
 
+/** A published method. */
+export type MethodKind = {
+  of: "matrix";
+} | {
+  of: "half";
+} | {
+  of: "share";
+} | {
+  of: "sweep";
+} | {
+  /** Its number in the thesis. */
+  number: number;
+  of: "arrangement";
+} | {
+  of: "arrangements";
+};
+
 /** Largest load over the cycle at the highest speed, force [N] or couple [N m]. */
 export type MethodLoad = {
   /** With the sizes of the method. */
@@ -2852,8 +2869,8 @@ export type MethodLoads = {
 
 /** A published method for an engine. */
 export type MethodResult = {
-  /** The command that tells all of it, without the file. */
-  command: string;
+  /** Which. */
+  kind: MethodKind;
   /** What it leaves. */
   left: MethodLoads | null;
   /** Its name. */

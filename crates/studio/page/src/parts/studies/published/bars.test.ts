@@ -4,7 +4,7 @@ import { bySource, gap, largest, width } from "./bars";
 const method = (name: string, force: [number, number | null] | null) => ({
   name,
   source: "",
-  command: "",
+  kind: { of: "matrix" as const },
   left: force && {
     force: { method: force[0], optimum: force[1] },
     couple: { method: 0, optimum: null },

@@ -1,6 +1,6 @@
 // How long the bars of published methods are, and which method is furthest from its optimum.
 
-import type { MethodResult } from "../../../api/types";
+import type { MethodKind, MethodResult } from "../../../api/types";
 
 export type Load = "force" | "couple";
 
@@ -12,6 +12,24 @@ export function largest(methods: readonly MethodResult[], load: Load): number {
 /** Length of a bar [%]. */
 export function width(value: number, most: number): number {
   return most > 0 ? (100 * value) / most : 0;
+}
+
+/** The command that tells all of a method, without the file. */
+export function commandOf(kind: MethodKind): string {
+  switch (kind.of) {
+    case "matrix":
+      return "balance --method matrix";
+    case "half":
+      return "balance --method half";
+    case "share":
+      return "balance --method half --balance-factor '50 %'";
+    case "sweep":
+      return "balance --method sweep";
+    case "arrangement":
+      return `compare --arrangements ${kind.number}`;
+    case "arrangements":
+      return "compare --arrangements 1,2,3,4,5,6,7,8,9";
+  }
 }
 
 /** Methods of one source, in their order. */

@@ -1,5 +1,6 @@
 //! Every published method for one engine, each beside the proved optimum of its own devices.
 
+use crate::published::arrangements::arrangements;
 use lanchester_balance::{Answer, BalanceError, Outcome};
 use lanchester_literature::{
     BalanceFactor, BalancerPhase, CrankLoad, MatrixMethod, PublishedMethod, SHAFT_DISTANCE, SweepOptions,
@@ -29,6 +30,27 @@ pub struct MethodLoads {
     pub couple: MethodLoad,
 }
 
+/// A published method.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
+#[serde(rename_all = "kebab-case", tag = "of")]
+pub enum MethodKind {
+    /// The matrix method.
+    Matrix,
+    /// The rule of the thesis for an engine of its own: of an in-line three or four, else the share of 50 %.
+    Half,
+    /// The share of 50 % beside such a rule.
+    Share,
+    /// The sweep of the crank.
+    Sweep,
+    /// One of the nine arrangements.
+    Arrangement {
+        /// Its number in the thesis.
+        number: usize,
+    },
+    /// All nine, where none can be had.
+    Arrangements,
+}
+
 /// A published method for an engine.
 #[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct MethodResult {
@@ -36,8 +58,8 @@ pub struct MethodResult {
     pub name: String,
     /// Where it was published.
     pub source: String,
-    /// The command that tells all of it, without the file.
-    pub command: String,
+    /// Which.
+    pub kind: MethodKind,
     /// What it leaves.
     pub left: Option<MethodLoads>,
     /// Why it cannot be used for this engine.
@@ -62,13 +84,12 @@ pub fn published_methods(engine: &Engine) -> Vec<MethodResult> {
         PublishedMethod::half_rule(engine, outer_throws(engine), SHAFT_DISTANCE, BalancerPhase::CouplePeak);
     let matrix = PublishedMethod::Matrix(MatrixMethod::usual(engine, SHAFT_DISTANCE));
     let mut all = vec![
-        fitted(engine, "Matrix method", "balance --method matrix", &matrix),
-        fitted(engine, half_name(&half), "balance --method half", &half),
+        fitted(engine, "Matrix method", MethodKind::Matrix, &matrix),
+        fitted(engine, half_name(&half), MethodKind::Half, &half),
     ];
     if !matches!(half, PublishedMethod::Factor(_)) {
         let share = PublishedMethod::Factor(BalanceFactor::BEST);
-        let command = "balance --method half --balance-factor '50 %'";
-        all.push(fitted(engine, half_name(&share), command, &share));
+        all.push(fitted(engine, half_name(&share), MethodKind::Share, &share));
     }
     all.push(sweep(engine));
     all.extend(nine(engine));
@@ -91,7 +112,7 @@ fn half_name(method: &PublishedMethod) -> &'static str {
     }
 }
 
-fn fitted(engine: &Engine, name: &str, command: &str, method: &PublishedMethod) -> MethodResult {
+fn fitted(engine: &Engine, name: &str, kind: MethodKind, method: &PublishedMethod) -> MethodResult {
     let found = method.fit(engine, &[]);
     let source = match &found {
         Ok(found) => method_source(&found.found),
@@ -101,7 +122,7 @@ fn fitted(engine: &Engine, name: &str, command: &str, method: &PublishedMethod) 
         let method = peaks(&found.fitted)?;
         Ok(loads(engine, method, [Load::Force, Load::Couple].map(|load| best(&found.optimum, load))))
     });
-    result(name.to_string(), source, command.to_string(), left)
+    result(name.to_string(), source, kind, left)
 }
 
 fn sweep(engine: &Engine) -> MethodResult {
@@ -114,18 +135,12 @@ fn sweep(engine: &Engine) -> MethodResult {
         };
         Ok(loads(engine, method, optima))
     });
-    result(
-        "Sweep of the crank".to_string(),
-        TWIN_THESIS.to_string(),
-        "balance --method sweep".to_string(),
-        left,
-    )
+    result("Sweep of the crank".to_string(), TWIN_THESIS.to_string(), MethodKind::Sweep, left)
 }
 
 fn nine(engine: &Engine) -> Vec<MethodResult> {
     let name = |number: usize, name: &str| format!("Arrangement {number}: {name}");
-    let command = |number: usize| format!("compare --arrangements {number}");
-    match crate::arrangements(engine, &LoadRequest::default()) {
+    match arrangements(engine, &LoadRequest::default()) {
         Ok(nine) => nine
             .iter()
             .map(|own| {
@@ -136,7 +151,7 @@ fn nine(engine: &Engine) -> Vec<MethodResult> {
                 result(
                     name(number, own.arrangement.name()),
                     TWIN_THESIS.to_string(),
-                    command(number),
+                    MethodKind::Arrangement { number },
                     Ok(left),
                 )
             })
@@ -144,7 +159,7 @@ fn nine(engine: &Engine) -> Vec<MethodResult> {
         Err(error) => vec![result(
             "Nine arrangements".to_string(),
             TWIN_THESIS.to_string(),
-            "compare --arrangements 1,2,3,4,5,6,7,8,9".to_string(),
+            MethodKind::Arrangements,
             Err(error),
         )],
     }
@@ -153,14 +168,14 @@ fn nine(engine: &Engine) -> Vec<MethodResult> {
 fn result(
     name: String,
     source: String,
-    command: String,
+    kind: MethodKind,
     left: Result<MethodLoads, BalanceError>,
 ) -> MethodResult {
     let (left, refused) = match left {
         Ok(left) => (Some(left), None),
         Err(error) => (None, Some(error.to_string())),
     };
-    MethodResult { name, source, command, left, refused }
+    MethodResult { name, source, kind, left, refused }
 }
 
 /// What the same devices leave at least, where it is proved.
