@@ -65,5 +65,5 @@ pub use output::text::{
 pub use output::write::graph_file;
 pub use run::audit::{Audit, BondEnergy, ElementEnergy, Residual};
 pub use run::motion::{PeriodicEnd, PeriodicMotion};
-pub use run::simulate::{Event, Method, Simulation, SimulationRequest};
+pub use run::simulate::{Cancel, Event, Method, Simulation, SimulationRequest};
 pub use unit::{Unit, duration};

@@ -11,6 +11,8 @@ use serde::{Deserialize, Serialize};
 /// Repeats of the heat balance, and the change of temperature that ends it [K].
 const MOST_REPEATS: usize = 25;
 const SAME_TEMPERATURE: f64 = 0.1;
+/// Largest rise that is told [K].
+const HIGHEST_RISE: f64 = 1000.0;
 /// Hottest film that the balance follows [K]: oil is destroyed well below.
 const HOTTEST: f64 = 573.15;
 
@@ -58,8 +60,8 @@ pub struct BearingFilm {
     pub cavitation: Cavitation,
     /// Viscosity of the film [Pa s].
     pub viscosity: f64,
-    /// Rise of temperature through the film [K].
-    pub temperature_rise: f64,
+    /// Rise of temperature through the film [K]; `None` where no flow takes the heat away, as in full films, or the rise is more than 1000 K.
+    pub temperature_rise: Option<f64>,
     /// Temperature of the film [K], where that of supply is known: the balance was repeated until it changed by 0.1 K.
     pub temperature: Option<f64>,
     /// Whether that balance was found.
@@ -132,20 +134,25 @@ pub fn bearing_film(request: &BearingFilmRequest) -> Result<BearingFilm, FilmErr
         FilmOil::Curve { oil, .. } => oil.density,
     };
     let mut orbit = orbit_at(viscosity)?;
-    let mut rise = temperature_rise(orbit.friction_power, orbit.side_flow, density);
+    let rise_of = |orbit: &FilmOrbit| {
+        Some(temperature_rise(orbit.friction_power, orbit.side_flow, density))
+            .filter(|rise| (0.0..=HIGHEST_RISE).contains(rise))
+    };
+    let mut rise = rise_of(&orbit);
     if let FilmOil::Curve { oil, supply } = request.oil {
         let mut film = supply;
         for _ in 0..MOST_REPEATS {
             // Half the step: friction falls as the film warms, so that the whole one may swing.
-            let next = (film + 0.5 * (supply + rise - film)).min(HOTTEST);
-            if (supply + rise - film).abs() < SAME_TEMPERATURE {
+            let missing = supply + rise.unwrap_or(HIGHEST_RISE) - film;
+            let next = (film + 0.5 * missing).min(HOTTEST);
+            if missing.abs() < SAME_TEMPERATURE {
                 balanced = true;
                 break;
             }
             film = next;
             viscosity = oil.viscosity(film);
             orbit = orbit_at(viscosity)?;
-            rise = temperature_rise(orbit.friction_power, orbit.side_flow, density);
+            rise = rise_of(&orbit);
         }
         temperature = Some(film);
     }
@@ -212,12 +219,9 @@ mod tests {
         };
         let found = bearing_film(&request).expect("a film");
         let film = found.temperature.expect("known");
-        assert!(
-            found.heat_balanced && (film - 363.15 - found.temperature_rise).abs() < 0.1,
-            "{film} {}",
-            found.temperature_rise
-        );
-        assert!((found.viscosity / oil.viscosity(film) - 1.0).abs() < 1e-12 && found.temperature_rise > 0.5);
+        let rise = found.temperature_rise.expect("its flow takes the heat");
+        assert!(found.heat_balanced && (film - 363.15 - rise).abs() < 0.1, "{film} {rise}");
+        assert!((found.viscosity / oil.viscosity(film) - 1.0).abs() < 1e-12 && rise > 0.5);
         let fixed = bearing_film(&BearingFilmRequest {
             oil: FilmOil::Fixed { viscosity: found.viscosity, density: 850.0 },
             ..request

@@ -395,7 +395,7 @@ fn checked(
     ((value, x.iter().map(|value| factor * value).collect(), residual), least)
 }
 
-/// Shares of the kinetic energy by slices along z: moving along x, along y, turning about z, motion along z.
+/// Shares of the kinetic energy by slices along z: moving along x, along y, turning about z, motion along z; together at most 1.
 fn shares(mesh: &Mesh, shape: &[[f64; 3]]) -> [f64; 4] {
     let lumps = lumped_mass(mesh);
     let (low, high) = mesh
@@ -422,10 +422,13 @@ fn shares(mesh: &Mesh, shape: &[[f64; 3]]) -> [f64; 4] {
         let rate = if own > 1e-12 * polar { (spin - (x * py - y * px) / m) / own } else { 0.0 };
         // A slice that turns about the crank axis moves its centre too: that is torsion, the rest of its motion is bending.
         let (vx, vy) = (px / m + rate * y / m, py / m - rate * x / m);
-        let turning = rate * rate * polar;
-        shares[0] += m * vx * vx / all;
-        shares[1] += m * vy * vy / all;
-        shares[2] += turning / all;
+        // Both move the centre, and what they do together belongs to neither: the energy of the slice as a rigid body goes to them in proportion to what each has alone.
+        let parts = [m * vx * vx, m * vy * vy, rate * rate * polar];
+        let alone: f64 = parts.iter().sum();
+        let whole = (px * px + py * py) / m + rate * rate * own;
+        if alone > 0.0 {
+            (0..3).for_each(|k| shares[k] += parts[k] / alone * whole / all);
+        }
     }
     shares
 }

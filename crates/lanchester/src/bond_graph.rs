@@ -4,7 +4,7 @@ use crate::inertias::{rotor_inertia, shaped_crankshafts};
 use crate::pressure::cylinders::cylinder_gas;
 use crate::pressure::error::GasError;
 use crate::pressure::measured::TraceFile;
-use crate::simulation::gas_torque::{chosen_load, mean_and_friction};
+use crate::simulation::gas_torque::{chosen_load, friction_at, mean_and_friction};
 use lanchester_bondgraph::{
     Curve, Description, EngineBlock, EngineDrive, EngineGraphError, EngineJoints, EngineLink, EngineLoad,
     EngineRequest, EngineStarter, GasStates, LoadTorque, Unit, engine_graph,
@@ -180,7 +180,15 @@ pub fn engine_bond_graph(
             found.pressures = gauge_pressures(&report.cylinders);
             notes.push(format!("Gas: pressures at {:.0} rpm, whatever the speed.", reference * 30.0 / PI));
         }
-        [mean, found.friction_torque] = mean_and_friction(engine, &report.cylinders, reference, &mut notes)?;
+        let (of_gas, parts) = mean_and_friction(engine, &report.cylinders, reference)?;
+        (mean, found.friction_torque) = (of_gas, friction_at(parts, reference));
+        if engine.friction.is_some() {
+            notes.push(format!(
+                "Friction: {:.4} N m, its mean effective pressure at {:.0} rpm as a constant torque.",
+                found.friction_torque,
+                reference * 30.0 / PI
+            ));
+        }
     }
     let law = match (&request.load, &input.load) {
         (Some(law), _) => law.clone(),

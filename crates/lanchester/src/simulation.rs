@@ -17,6 +17,7 @@ use lanchester_multibody::{BlockMotion, GasPressure, MainRule, Motion, Occasion,
 use lanchester_report::{PeriodicResult, PointMotion, SIMULATION_VERSION, SimulationResult};
 use nalgebra::Vector3;
 pub use plan::SimulateRequest;
+use std::f64::consts::PI;
 
 /// Simulates `engine`; `traces` holds the files that [`crate::trace_names`] names.
 ///
@@ -54,7 +55,8 @@ pub fn simulate_watched(
 ) -> Result<SimulationResult, CrossCheckError> {
     let engine = &file.engine;
     let input = file.tasks.simulation.as_deref();
-    let Prepared { train, simulation, length, reports, own, mut notes, .. } = prepare(file, traces, request)?;
+    let Prepared { train, simulation, length, every, reports, own, mut notes, .. } =
+        prepare(file, traces, request)?;
     let given = (!reports.is_empty()).then(|| GivenGas::over_speed(&reports));
     let gas = given.as_ref().map(|given| given as &dyn GasPressure);
     let (run, periodic) = match length {
@@ -71,6 +73,14 @@ pub fn simulate_watched(
         if !came && periodic.is_none() {
             notes.push(format!("Event {} ({}) never came.", index + 1, action_words(&event.action)));
         }
+    }
+    let fastest = run.samples.speed.iter().fold(0.0f64, |most, speed| most.max(speed.abs()));
+    if fastest > BEYOND * engine.speed.highest.max(simulation.start_speed) {
+        notes.push(format!(
+            "The engine comes to {:.0} rpm; the highest speed of the file is {:.0} rpm, and beyond it pressures are those there.",
+            fastest * 30.0 / PI,
+            engine.speed.highest * 30.0 / PI
+        ));
     }
     let on_mounts = simulation.block == BlockMotion::Mounts;
     let named = input.map_or(&[][..], |input| &input.points).iter().chain(&request.points);
@@ -91,11 +101,15 @@ pub fn simulate_watched(
             Some(MainSharing::Cut) | None => MainRule::Cut,
         },
         periodic,
+        every,
         gears,
         points,
         run,
     })
 }
+
+/// A run whose speed goes so many times beyond the highest one of the file is told.
+const BEYOND: f64 = 1.05;
 
 /// Displacement of a point of the block at every sample.
 fn motion_of(point: &NamedPoint, run: &Run) -> PointMotion {

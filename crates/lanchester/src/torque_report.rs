@@ -54,6 +54,8 @@ pub struct TorqueReport {
     pub cycles: Vec<CycleResult>,
     /// What friction leaves, where it is known.
     pub brake: Option<Brake>,
+    /// Whether torques over the angle of the file act besides: in `ripples` and `flywheel`, not in `torque`, `speeds` and `power`.
+    pub is_driven_besides: bool,
     /// Speed within the cycle at the speeds of the file's flywheel; without these at the lowest speed of the engine and at that of `torque`:
     /// periodic, or why not.
     pub ripples: Vec<RippleOutcome>,
@@ -161,6 +163,9 @@ pub fn torque_report(
     if brake.is_some_and(|brake| brake.torque <= 0.0) {
         warnings.push("friction takes more than the gas gives: the engine does not turn by itself".into());
     }
+    if !outer.is_none() {
+        warnings.push(BESIDES.into());
+    }
     let cycles = match &gas {
         Some(gas) => cycle_results(engine, gas).map_err(GasError::from)?,
         None => Vec::new(),
@@ -171,6 +176,7 @@ pub fn torque_report(
         source: gas.map_or_else(|| WITHOUT_GAS.to_owned(), |gas| gas.source),
         brake,
         torque: found,
+        is_driven_besides: !outer.is_none(),
         ripples,
         flywheel,
         speeds: over_speeds,
@@ -181,6 +187,9 @@ pub fn torque_report(
 
 /// What stands for the source of the pressures where there are none.
 const WITHOUT_GAS: &str = "no gas in the engine file, inertia alone";
+
+/// What the user is told where torques over the angle act besides.
+const BESIDES: &str = "the torque of [simulation], or its load over the angle, acts besides: cyclic speed fluctuation, excess energy and flywheel count it, the tables of torque are those of gas and inertia";
 
 /// What the user is told of a flywheel where the inertia of the crankshafts is not known.
 pub(crate) const UNKNOWN_CRANKSHAFT: &str =

@@ -99,6 +99,11 @@ pub enum MultibodyError {
         /// Revolutions that were asked for.
         wanted: f64,
     },
+    /// A periodic motion is asked for under an imposed speed that changes over time.
+    #[error(
+        "a motion under an imposed speed that changes over time has no period: ask for a number of revolutions or a time, or for a constant speed"
+    )]
+    NoPeriod,
     /// A crankshaft is to turn as a body, and the file does not describe one.
     #[error("{name} cannot turn as a body: {reason}")]
     NoCrankBody {

@@ -348,7 +348,7 @@ impl<'a> Powered<'a> {
             load_torque(&self.conditions.load, turning, angle)
         };
         let load = -of_law - self.conditions.demand;
-        let friction = if held { 0.0 } else { -simulation.friction_torque * self.conditions.sense };
+        let friction = if held { 0.0 } else { -simulation.friction(speed) * self.conditions.sense };
         let mut outer = over_angle + if starter_ground { starter } else { 0.0 };
         let mut inner = friction + if starter_ground { 0.0 } else { starter };
         if layout.links == 0 {

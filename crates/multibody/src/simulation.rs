@@ -49,6 +49,8 @@ pub struct Simulation {
     pub governor: Option<Governor>,
     /// Dry friction of the crank train as a torque against the rotation of crankshaft 1 [N m].
     pub friction_torque: f64,
+    /// What is added to that in proportion to the speed of crankshaft 1 [N m s/rad] and to its square [N m s^2/rad^2].
+    pub friction_growth: [f64; 2],
     /// Viscous friction of every piston along its cylinder [N s/m].
     pub piston_damping: f64,
     /// Inertias behind the flywheel, in order; at most 8.
@@ -83,6 +85,7 @@ impl Simulation {
             starter: None,
             governor: None,
             friction_torque: 0.0,
+            friction_growth: [0.0; 2],
             piston_damping: 0.0,
             driveline: Vec::new(),
             events: Vec::new(),
@@ -99,6 +102,12 @@ impl Simulation {
 }
 
 impl Simulation {
+    /// Friction of the crank train at a speed of crankshaft 1 [rad/s], as a torque against the rotation [N m].
+    pub fn friction(&self, speed: f64) -> f64 {
+        let (size, [linear, square]) = (speed.abs(), self.friction_growth);
+        self.friction_torque + size * (linear + size * square)
+    }
+
     /// Tolerances by kind of state, where speeds are measured against `speed` [rad/s] and energies against `energy` [J].
     pub fn tolerances_at(&self, speed: f64, energy: f64) -> Tolerances {
         let (all, own) = (self.tolerance, &self.tolerances);

@@ -20,7 +20,6 @@
 //! assert_eq!(outcome, Outcome::Reached);
 //! assert!((y[0] - 10f64.cos()).abs() < 1e-8);
 //! ```
-#![forbid(unsafe_code)]
 
 mod angle;
 mod control;
@@ -32,6 +31,7 @@ mod event;
 mod golden;
 mod interval;
 mod jet;
+mod kernel;
 mod lanes;
 mod outcome;
 mod quadrature;
@@ -52,6 +52,7 @@ pub use esdirk::{Esdirk, StageSystem};
 pub use golden::golden_section;
 pub use interval::Interval;
 pub use jet::{Jet, Ring};
+pub use kernel::{Kernel, Vectors, dispatch};
 pub use lanes::{ComplexLanes, LANES, Lanes};
 pub use outcome::{Outcome, Statistics};
 pub use quadrature::{GAUSS_4, GAUSS_8, GAUSS_16, GaussPair, gauss, unit_points};

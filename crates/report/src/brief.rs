@@ -8,7 +8,7 @@ use crate::loads::peaks_table;
 use crate::mounts::{mount_modes_table, mount_speeds_table};
 use crate::optimum::found_weights_table;
 use crate::optimum::headline;
-use crate::simulated::{SimulationResult, simulation_tables, simulation_words};
+use crate::simulated::{PERIODIC, SimulationResult, simulation_tables, simulation_words};
 use crate::strength::CrankRule;
 use crate::stress::{CrankCycle, CrankFatigue, CrankModes, ReducedCrank, StaticStress};
 use crate::study::{equal_words, ranking_words};
@@ -73,7 +73,14 @@ pub fn loads_brief(loads: &Loads) -> String {
 }
 
 /// Torque and power, the energy that a flywheel must hold, the flywheel.
-pub fn torque_brief(torque: &Torque, brake: Option<&Brake>, flywheel: Option<&FlywheelNeed>) -> String {
+///
+/// `driven`: largest excess energy with torques over the angle that the file gives besides [J].
+pub fn torque_brief(
+    torque: &Torque,
+    brake: Option<&Brake>,
+    flywheel: Option<&FlywheelNeed>,
+    driven: Option<f64>,
+) -> String {
     let table = torque_table(torque, brake);
     let wanted = ["indicated torque", "indicated power", "brake torque", "brake power"];
     let mut lines: Vec<(String, String)> = (0..table.rows.len())
@@ -91,7 +98,12 @@ pub fn torque_brief(torque: &Torque, brake: Option<&Brake>, flywheel: Option<&Fl
             format!("{} to {}", quantity(&extremes, row, 3), quantity(&extremes, row, 1)),
         ));
         let excess = quantity(&extremes, row, column);
-        if !excess.is_empty() {
+        if let Some(driven) = driven {
+            lines.push((
+                "energy fluctuation, with the given torque".to_owned(),
+                format!("{} J", number::terminal(driven, 1)),
+            ));
+        } else if !excess.is_empty() {
             lines.push(("energy fluctuation".to_owned(), excess));
         }
     }
@@ -172,7 +184,12 @@ pub fn balance_brief(engine: &Engine, answer: &Answer) -> String {
 /// How the run ended, its speed, its largest forces at mounts.
 pub fn simulation_brief(result: &SimulationResult) -> String {
     let mut out = format!("{}, simulated as rigid bodies\n", result.engine);
-    push_wrapped(&mut out, "", simulation_words(result).first().map_or("", String::as_str));
+    // How it ended; of a periodic motion also whether there is one.
+    let words = simulation_words(result);
+    let periodic = words.iter().filter(|words| words.starts_with(PERIODIC));
+    for words in words.iter().take(1).chain(periodic) {
+        push_wrapped(&mut out, "", words);
+    }
     let mut lines = Vec::new();
     for table in simulation_tables(result) {
         match table.id {

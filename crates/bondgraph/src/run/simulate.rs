@@ -11,6 +11,7 @@ use lanchester_results::{Series, values_of};
 use serde::Serialize;
 use std::collections::HashMap;
 use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// More events than these at places that cannot be told apart mean that a condition switches to and fro.
 const CHATTER: u32 = 200;
@@ -56,6 +57,25 @@ pub struct SimulationRequest {
     pub method: Option<Method>,
     /// Largest number of evaluations; of a periodic motion those of the whole search.
     pub most_evaluations: u64,
+    /// What may end it from outside.
+    pub cancel: Option<Cancel>,
+}
+
+/// A flag that ends a run after the step at hand, with the samples so far, as soon as it is set.
+#[derive(Debug, Clone, Copy)]
+pub struct Cancel(pub &'static AtomicBool);
+
+impl Cancel {
+    fn is_set(self) -> bool {
+        self.0.load(Ordering::Relaxed)
+    }
+}
+
+impl PartialEq for Cancel {
+    /// Whether it is the same flag.
+    fn eq(&self, other: &Cancel) -> bool {
+        std::ptr::eq(self.0, other.0)
+    }
 }
 
 /// A method of integration.
@@ -168,6 +188,7 @@ impl Equations {
             audit: false,
             method: None,
             most_evaluations: 10_000_000,
+            cancel: None,
         }
     }
 
@@ -213,6 +234,7 @@ impl Equations {
             let (_, found) = sizes(&mut compiled, most);
             pass = self.pass(&mut compiled, request, places, &found.absolute(request.tolerance), &start);
         }
+        self.end_where_not_finite(&mut pass);
         let time: Vec<f64> = pass.samples.iter().map(|(t, _)| *t).collect();
         let series = self.series(&pass);
         let audit = request.audit.then(|| audit(self, &pass.samples, &pass.variables, &pass.end.1));
@@ -232,6 +254,25 @@ impl Equations {
             operations: compiled.operations(),
             periodic: None,
         }
+    }
+
+    /// Ends a pass before the first sample at which a quantity is no finite number: no step need have met it.
+    fn end_where_not_finite(&self, pass: &mut Pass) {
+        let bad = |values: &Vec<f64>| values.iter().position(|value| !value.is_finite());
+        let found = pass.variables.iter().enumerate().find_map(|(at, values)| Some((at, bad(values)?)));
+        let Some((at, which)) = found else { return };
+        let bonds = self.graph.bonds.len();
+        let name = match which {
+            effort if effort < bonds => format!("{}.effort", self.graph.bond_name(effort)),
+            flow if flow < 2 * bonds => format!("{}.flow", self.graph.bond_name(flow - bonds)),
+            signal => {
+                self.graph.signals.get(signal - 2 * bonds).map_or_else(String::new, |own| own.name.clone())
+            }
+        };
+        pass.ended = format!("`{name}` becomes no finite number at {} s", pass.samples[at].0);
+        pass.complete = false;
+        pass.samples.truncate(at);
+        pass.variables.truncate(at);
     }
 
     /// Sizes of all states of a rough pass with some samples.
@@ -408,6 +449,9 @@ impl Equations {
                     samples.push((places[next], state));
                     next += 1;
                 }
+                if request.cancel.is_some_and(Cancel::is_set) {
+                    return ControlFlow::Break(());
+                }
                 ControlFlow::Continue(())
             };
             let is_explicit = pass.methods.last() == Some(&Method::Explicit);
@@ -483,6 +527,10 @@ impl Equations {
                 Outcome::Reached => {
                     pass.complete = true;
                     pass.ended = "the whole duration".into();
+                    break;
+                }
+                Outcome::Stopped => {
+                    pass.ended = format!("cancelled at {t} s");
                     break;
                 }
                 other => {

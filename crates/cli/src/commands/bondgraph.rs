@@ -9,10 +9,11 @@ use crate::options::bondgraph::{
     BondgraphArguments, EngineBlockOption, EngineOptions, ExportOption, JointsOption, MethodOption,
     NotationOption, PreferOption,
 };
+use crate::simulation_watch::Interruptible;
 use crate::trace_files::{read_torques, trace_files};
 use lanchester::bondgraph::{
-    CompliantJoints, Description, EngineBlock, EngineJoints, Equations, Graph, LoadTorque, Method, Notation,
-    Preference, SimulationRequest, audit_text, causality, causality_text, drawing, equations,
+    Cancel, CompliantJoints, Description, EngineBlock, EngineJoints, Equations, Graph, LoadTorque, Method,
+    Notation, Preference, SimulationRequest, audit_text, causality, causality_text, drawing, equations,
     equations_latex, equations_text, graph_file, graphml, is_graph_file, linear_text, modelica,
     moving_drawing, simulation_csv, simulation_text, used_graphs,
 };
@@ -278,6 +279,7 @@ fn request(
 ) -> Result<SimulationRequest, Failure> {
     let mut request = found.request();
     request.audit = audit;
+    request.cancel = Some(Cancel(Interruptible::listening().flag()));
     if arguments.until.is_some() {
         let none = || {
             Failure::input(

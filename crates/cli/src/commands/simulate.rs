@@ -6,11 +6,11 @@ use crate::figures::write_figures;
 use crate::files::{print, print_bytes};
 use crate::options::simulation::{BlockOption, SimulateArguments, SimulationFormat, SimulationTable};
 use crate::requests::loads::point;
-use crate::simulation_watch::GoesOn;
+use crate::simulation_watch::Interruptible;
 use crate::trace_files::trace_files;
 use lanchester::file::{StartOfRun, event_from_words, start_from_words};
 use lanchester::model::NamedPoint;
-use lanchester::multibody::{LoadLaw, ReactsOn, RunOutcome};
+use lanchester::multibody::{LoadLaw, PeriodicOutcome, ReactsOn, RunOutcome};
 use lanchester::report::{
     SimulationColumns, SimulationResult, simulation_brief, simulation_energy_columns,
     simulation_events_columns, simulation_figures, simulation_orders_columns, simulation_reactions_columns,
@@ -65,8 +65,8 @@ pub fn run(arguments: &SimulateArguments, colour: bool) -> Result<u8, Failure> {
         Some(false) => Vec::new(),
         _ => trace_files(&opened.file.engine, &arguments.file)?,
     };
-    let goes_on = GoesOn::until_interrupted();
-    let result = simulate_watched(&opened.file, &traces, &request, &|_| goes_on.now());
+    let run = Interruptible::listening();
+    let result = simulate_watched(&opened.file, &traces, &request, &|_| run.goes_on());
     let result = result.map_err(Failure::refused)?;
     if let Some(folder) = &arguments.figures {
         write_figures(folder, &arguments.file, &simulation_figures(&result))?;
@@ -75,12 +75,13 @@ pub fn run(arguments: &SimulateArguments, colour: bool) -> Result<u8, Failure> {
         SimulationFormat::Text => {
             print(&arguments.printed.text(|| simulation_text(&result), || simulation_brief(&result)))?;
         }
-        SimulationFormat::Json => print(&json(&result)?)?,
+        SimulationFormat::Json => print(&json(&*result.written())?)?,
         SimulationFormat::Csv => print(&arguments.printed.csv(columns(&result, arguments.table).csv()))?,
         SimulationFormat::Parquet => print_bytes(&parquet(columns(&result, arguments.table))?)?,
     }
     let ended =
-        matches!(result.run.outcome, RunOutcome::Complete | RunOutcome::Stopped | RunOutcome::AtRest { .. });
+        matches!(result.run.outcome, RunOutcome::Complete | RunOutcome::Stopped | RunOutcome::AtRest { .. })
+            && result.periodic.as_ref().is_none_or(|periodic| periodic.outcome != PeriodicOutcome::NotFound);
     Ok(if ended { DONE } else { NOT_AS_EXPECTED })
 }
 
@@ -184,7 +185,15 @@ fn request(arguments: &SimulateArguments) -> Result<SimulateRequest, Failure> {
 fn length(text: &str) -> Result<RunLength, Failure> {
     let text = text.trim();
     let turns = text.strip_suffix("revolutions").or_else(|| text.strip_suffix("revolution"));
-    let Some(turns) = turns else { return Ok(RunLength::Time(option::time(text, "--for")?)) };
+    let Some(turns) = turns else {
+        let time = option::time(text, "--for").map_err(|_| {
+            Failure::input(
+                format_args!("--for needs a number of revolutions or a time, got \"{text}\""),
+                "write it like \"10 revolutions\" or \"2 s\"; a periodic motion is asked for by --until periodic",
+            )
+        })?;
+        return Ok(RunLength::Time(time));
+    };
     match turns.trim().parse::<f64>() {
         Ok(turns) if turns > 0.0 && turns.is_finite() => Ok(RunLength::Revolutions(turns)),
         _ => Err(Failure::input(

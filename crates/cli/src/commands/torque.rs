@@ -41,7 +41,12 @@ pub fn run(arguments: &TorqueArguments, colour: bool) -> Result<u8, Failure> {
     print(&match arguments.format {
         Format::Text => arguments.printed.text(
             || text(&report),
-            || torque_brief(&report.torque, report.brake.as_ref(), report.flywheel.as_ref()),
+            || {
+                let ripples = report.ripples.iter().filter(|_| report.is_driven_besides);
+                let driven =
+                    ripples.filter_map(|ripple| ripple.periodic()).map(|ripple| ripple.excess).next();
+                torque_brief(&report.torque, report.brake.as_ref(), report.flywheel.as_ref(), driven)
+            },
         ),
         Format::Json => json(&report)?,
         Format::Csv => arguments.printed.csv(torque_csv(&report.torque)),

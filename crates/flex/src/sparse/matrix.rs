@@ -1,9 +1,12 @@
 //! A sparse symmetric matrix by the columns of its lower triangle.
 
+use lanchester_numerics::{Kernel, dispatch};
+use std::ops::Range;
 use std::sync::Arc;
 
-/// Vectors that share each entry of the matrix that is read.
-const TOGETHER: usize = 4;
+/// Vectors that share each entry of the matrix that is read: a few, and more than a few.
+const NARROW: usize = 4;
+const WIDEST: usize = 8;
 /// Sums that a scalar product runs side by side.
 const LANES: usize = 8;
 
@@ -60,12 +63,20 @@ impl SymmetricMatrix {
 
     /// `A x` of several vectors: some of them share each entry of the matrix that is read.
     pub fn multiply_all<V: AsRef<[f64]>>(&self, vectors: &[V]) -> Vec<Vec<f64>> {
-        vectors.chunks(TOGETHER).flat_map(|some| self.multiply_some(some)).collect()
+        let products = vectors.chunks(WIDEST).map(|some| {
+            if some.len() <= NARROW {
+                self.multiply_some::<NARROW, V>(some)
+            } else {
+                self.multiply_some::<WIDEST, V>(some)
+            }
+        });
+        products.flatten().collect()
     }
 
-    fn multiply_some<V: AsRef<[f64]>>(&self, vectors: &[V]) -> Vec<Vec<f64>> {
+    /// At most `WIDTH` vectors, their entries of one row side by side; two halves of the entries on two threads.
+    fn multiply_some<const WIDTH: usize, V: AsRef<[f64]>>(&self, vectors: &[V]) -> Vec<Vec<f64>> {
         let size = self.size();
-        let mut x = vec![[0.0; TOGETHER]; size];
+        let mut x = vec![[0.0; WIDTH]; size];
         for (k, vector) in vectors.iter().enumerate() {
             let vector = vector.as_ref();
             assert_eq!(
@@ -75,24 +86,15 @@ impl SymmetricMatrix {
             );
             x.iter_mut().zip(vector).for_each(|(x, value)| x[k] = *value);
         }
-        let mut y = vec![[0.0; TOGETHER]; size];
-        for column in 0..size {
-            let range = self.pattern.starts[column] as usize..self.pattern.starts[column + 1] as usize;
-            let (rows, values) = (&self.pattern.rows[range.clone()], &self.values[range]);
-            let factors = x[column];
-            let mut sums = factors.map(|factor| values[0] * factor);
-            for (row, value) in rows[1..].iter().zip(&values[1..]) {
-                let (to, from) = (&mut y[*row as usize], &x[*row as usize]);
-                for k in 0..TOGETHER {
-                    to[k] += value * factors[k];
-                    sums[k] += value * from[k];
-                }
-            }
-            for (to, sum) in y[column].iter_mut().zip(sums) {
-                *to += sum;
-            }
-        }
-        (0..vectors.len()).map(|k| y.iter().map(|row| row[k]).collect()).collect()
+        let half =
+            self.pattern.starts.partition_point(|start| *start < self.values.len() as u32 / 2).min(size);
+        let part = |columns: Range<usize>| {
+            let mut y = vec![[0.0; WIDTH]; size];
+            dispatch(Product { matrix: self, columns, x: &x, y: &mut y });
+            y
+        };
+        let (y, other) = rayon::join(|| part(0..half), || part(half..size));
+        (0..vectors.len()).map(|k| y.iter().zip(&other).map(|(y, other)| y[k] + other[k]).collect()).collect()
     }
 
     /// `x^T A x`.
@@ -133,6 +135,39 @@ impl SymmetricMatrix {
     /// The diagonal.
     pub fn diagonal(&self) -> Vec<f64> {
         (0..self.size()).map(|column| self.values[self.pattern.starts[column] as usize]).collect()
+    }
+}
+
+/// What some columns, and the rows that mirror them, give to `A x`.
+struct Product<'a, const WIDTH: usize> {
+    matrix: &'a SymmetricMatrix,
+    columns: Range<usize>,
+    x: &'a [[f64; WIDTH]],
+    y: &'a mut [[f64; WIDTH]],
+}
+
+impl<const WIDTH: usize> Kernel for Product<'_, WIDTH> {
+    /// Never fused: the same bits on every machine.
+    #[inline(always)]
+    fn run<const FMA: bool>(self) {
+        let Product { matrix, columns, x, y } = self;
+        for column in columns {
+            let range = matrix.pattern.starts[column] as usize..matrix.pattern.starts[column + 1] as usize;
+            let (rows, values) = (&matrix.pattern.rows[range.clone()], &matrix.values[range]);
+            let factors = x[column];
+            let mut sums = factors.map(|factor| values[0] * factor);
+            for (row, value) in rows[1..].iter().zip(&values[1..]) {
+                let (mut to, from) = (y[*row as usize], x[*row as usize]);
+                for k in 0..WIDTH {
+                    to[k] += value * factors[k];
+                    sums[k] += value * from[k];
+                }
+                y[*row as usize] = to;
+            }
+            for (to, sum) in y[column].iter_mut().zip(sums) {
+                *to += sum;
+            }
+        }
     }
 }
 

@@ -2,9 +2,11 @@
 
 mod assembly;
 mod factor;
+mod halves;
 mod matrix;
 mod order;
 mod solve;
+mod substitution;
 
 pub use assembly::{DenseTerm, Quantity, Structure};
 pub use factor::{Factor, FactorPlan, Precision, SolveEstimate, make_product};

@@ -190,7 +190,8 @@ impl Solver {
                 break;
             }
             steps = step;
-            let mut z: Vec<f64> = open.iter().flat_map(|k| r[*k].iter().copied()).collect();
+            let mut z = Vec::with_capacity(open.len() * size);
+            open.iter().for_each(|k| z.extend_from_slice(&r[*k]));
             self.apply(&mut z);
             for (z, k) in z.chunks(size).zip(&open) {
                 let k = *k;

@@ -10,7 +10,7 @@ use lanchester_mechanism::{
     BearingRequest, GasTrain, Lever, LoadError, LoadRequest, Mechanism, OuterTorque, RippleOutcome,
     bearing_loads, speed_ripple,
 };
-use lanchester_model::Engine;
+use lanchester_model::{Engine, SimulationInput};
 use lanchester_multibody::{LoadLaw, Reactions, RunOutcome, Simulation, Train};
 use lanchester_report::{CROSSCHECK_VERSION, Condition, ConditionCheck, CrossCheck, CrossRow};
 use num_complex::Complex64;
@@ -78,7 +78,35 @@ pub fn crosscheck(
         speed,
         conditions: conditions.collect::<Result<Vec<_>, _>>()?,
         gas: report.map(|report| report.source),
+        notes: request.simulation.as_deref().and_then(left_out).into_iter().collect(),
     })
+}
+
+/// What of the file's run no condition but B has.
+fn left_out(input: &SimulationInput) -> Option<String> {
+    let over_angle = matches!(input.load.as_ref().map(|load| &load.law), Some(LoadLaw::Angle { .. }));
+    let given = [
+        ("torque over the angle", !input.torque.is_empty() || !input.torque_files.is_empty()),
+        ("load over the angle", over_angle),
+    ];
+    let named: Vec<&str> =
+        given.into_iter().filter_map(|(name, is_given)| is_given.then_some(name)).collect();
+    let others = [
+        ("starter", input.starter.is_some()),
+        ("governor", input.governor.is_some()),
+        ("driveline", !input.driveline.is_empty()),
+        ("events", !input.events.is_empty()),
+    ];
+    let nowhere: Vec<&str> =
+        others.into_iter().filter_map(|(name, is_given)| is_given.then_some(name)).collect();
+    let mut words = Vec::new();
+    if !named.is_empty() {
+        words.push(format!("The {} of [simulation] acts in condition B alone.", named.join(" and the ")));
+    }
+    if !nowhere.is_empty() {
+        words.push(format!("Of [simulation] no condition has {}.", nowhere.join(", ")));
+    }
+    (!words.is_empty()).then(|| words.join(" "))
 }
 
 impl Pair<'_> {

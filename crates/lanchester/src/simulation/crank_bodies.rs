@@ -5,6 +5,9 @@ use lanchester_model::Engine;
 use lanchester_multibody::{MultibodyError, Train};
 use num_complex::Complex64;
 
+/// Unbalance in metres and product of inertia in square metres of mass that are rounding.
+const ROUNDING: f64 = 1e-9;
+
 /// What a note tells of every crankshaft that is a body; where `as_body`, the rotors of `train` get their moments.
 ///
 /// # Errors
@@ -35,15 +38,13 @@ pub(crate) fn crank_bodies(
         let unequal = Complex64::new(yy - xx, -2.0 * xy) * turn * turn;
         let rotor = &train.rotors[index];
         notes.push(format!(
-            "{} as a body: {:.4} kg with its centre at z = {:.2} mm; its inertias across the axis are {:.4e} and {:.4e} kg m2 (largest and smallest). Its unbalance departs from that of its throws and counterweights by {:.2e} kg m, \
-             its product of inertia by {:.2e} kg m2. {}",
+            "{} as a body: {:.4} kg with its centre at z = {:.2} mm; its inertias across the axis are {:.4e} and {:.4e} kg m2 (largest and smallest). {} {}",
             shaft.name,
             body.mass.mass,
             1e3 * body.mass.centre[2],
             0.5 * (xx + yy + unequal.norm()),
             0.5 * (xx + yy - unequal.norm()),
-            (first - rotor.first_moment).norm(),
-            (product - rotor.product).norm(),
+            departs((first - rotor.first_moment).norm(), (product - rotor.product).norm(), body.mass.mass),
             match as_body {
                 true => "The run takes those of the body.",
                 false => "The run takes unbalances and polar inertia (`crankshaft = \"body\"` in [simulation]: those of the body).",
@@ -54,4 +55,14 @@ pub(crate) fn crank_bodies(
         }
     }
     Ok(notes)
+}
+
+/// By how much unbalance [kg m] and product of inertia [kg m2] of a body of this mass [kg] depart from those of its throws and counterweights, in words.
+fn departs(unbalance: f64, product: f64, mass: f64) -> String {
+    if unbalance.max(product) < ROUNDING * mass {
+        return "Its unbalance and product of inertia are those of its throws and counterweights.".to_owned();
+    }
+    format!(
+        "Its unbalance departs from that of its throws and counterweights by {unbalance:.2e} kg m, its product of inertia by {product:.2e} kg m2."
+    )
 }

@@ -1,11 +1,11 @@
 //! What the gas gives a run on average, and what friction takes of it.
 
 use lanchester_mechanism::{CylinderGas, GasTrain, Lever, TorqueError, TorqueRequest, torque};
-use lanchester_model::{Engine, LoadLaw};
+use lanchester_model::{Engine, Friction, LoadLaw};
 use std::f64::consts::PI;
 
-/// Mean torque of the gas at `speed` [rad/s], and friction as a constant torque: that of its mean effective pressure at this speed, as far as the gas gives
-/// it [N m]; friction is told in `notes`.
+/// Mean torque of the gas at `speed` [rad/s], and of friction as a torque what is constant [N m], what goes with the speed [N m s/rad] and with its square
+/// [N m s^2/rad^2]: by its mean effective pressure with the highest pressure at this speed.
 ///
 /// # Errors
 /// [`TorqueError`] where the file lacks something that the torque of the gas needs.
@@ -13,18 +13,37 @@ pub(crate) fn mean_and_friction(
     engine: &Engine,
     gas: &[CylinderGas],
     speed: f64,
-    notes: &mut Vec<String>,
-) -> Result<[f64; 2], TorqueError> {
+) -> Result<(f64, [f64; 3]), TorqueError> {
     let mean = GasTrain::new(engine, gas, Lever::Exact)?.mean_torques().iter().sum();
-    let Some(friction) = engine.friction else { return Ok([mean, 0.0]) };
+    let Some(friction) = engine.friction else { return Ok((mean, [0.0; 3])) };
     let request = TorqueRequest { speed: Some(speed), samples: 4, max_order: 1, ..TorqueRequest::default() };
     let indicated = torque(engine, gas, &request)?.indicated;
-    let taken = (indicated.torque - indicated.brake(&friction, speed).torque).max(0.0);
-    notes.push(format!(
-        "Friction: {taken:.4} N m, its mean effective pressure at {:.0} rpm as a constant torque.",
-        speed * 30.0 / PI
-    ));
-    Ok([mean, taken])
+    let taken = |part: Friction| indicated.torque - indicated.brake(&part, speed).torque;
+    let only = |speed, speed_squared| Friction::ChenFlynn {
+        constant: 0.0,
+        peak_pressure: 0.0,
+        speed,
+        speed_squared,
+    };
+    Ok((
+        mean,
+        match friction {
+            Friction::Given { .. } => [taken(friction).max(0.0), 0.0, 0.0],
+            Friction::ChenFlynn { constant, peak_pressure, speed: linear, speed_squared } => {
+                let still = Friction::ChenFlynn { constant, peak_pressure, speed: 0.0, speed_squared: 0.0 };
+                [
+                    taken(still).max(0.0),
+                    (taken(only(linear, 0.0)) / speed).max(0.0),
+                    (taken(only(0.0, speed_squared)) / (speed * speed)).max(0.0),
+                ]
+            }
+        },
+    ))
+}
+
+/// Friction at `speed` [rad/s] from its parts of [`mean_and_friction`] [N m].
+pub(crate) fn friction_at([still, linear, square]: [f64; 3], speed: f64) -> f64 {
+    still + speed * (linear + speed * square)
 }
 
 /// Begins the note on a load that nobody gave.

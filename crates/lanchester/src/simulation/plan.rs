@@ -52,6 +52,8 @@ pub struct SimulateRequest {
 pub(crate) struct RunPlan {
     pub simulation: Simulation,
     pub length: RunLength,
+    /// Samples from one that was asked for to the next.
+    pub every: usize,
     /// Speed at which friction and the mean torque of the gas are judged [rad/s].
     pub reference_speed: f64,
     pub notes: Vec<String>,
@@ -92,13 +94,21 @@ pub(crate) fn plan(
         simulation.drive = Drive::Imposed { profile, against };
     }
     let length = request.length.or(input.duration).unwrap_or(RunLength::Revolutions(10.0));
+    if length == RunLength::Periodic
+        && let Drive::Imposed { profile, .. } = &simulation.drive
+        && profile.windows(2).any(|pair| pair[0][1] != pair[1][1])
+    {
+        return Err(MultibodyError::NoPeriod);
+    }
     match length {
         RunLength::Revolutions(turns) => simulation.duration = Duration::Revolutions(turns),
         RunLength::Time(time) => simulation.duration = Duration::Time(time),
         RunLength::Periodic => {}
     }
     simulation.start_angle = request.start_angle.or(input.start_angle).unwrap_or(0.0);
-    simulation.step = request.step.or(input.step).unwrap_or(simulation.step);
+    let asked = request.step.or(input.step).unwrap_or(simulation.step);
+    let (step, every) = sample_step(asked, &simulation, &mut notes);
+    simulation.step = step;
     simulation.tolerance = request.tolerance.or(input.tolerance).unwrap_or(simulation.tolerance);
     simulation.tolerances = input.tolerances;
     for mesh in &input.meshes {
@@ -182,7 +192,32 @@ pub(crate) fn plan(
         notes.push(format!("Keys of the file that this run does not use: {}.", unused.join(", ")));
     }
     let reference_speed = if speed > 0.0 { speed } else { engine.speed.lowest };
-    Ok(RunPlan { simulation, length, reference_speed, notes })
+    Ok(RunPlan { simulation, length, every, reference_speed, notes })
+}
+
+/// Crank angle between samples from which largest values and orders are taken [rad], and most of them.
+const FINE: f64 = TAU / 360.0;
+const MOST_FINE: f64 = 200_000.0;
+
+/// Crank angle between the samples of a run [rad] where `asked` lies between those that are written, and how many of the first make one of the second: largest values
+/// and orders are not to depend on what is written. A long run keeps the step that was asked for, and says so.
+fn sample_step(asked: f64, simulation: &Simulation, notes: &mut Vec<String>) -> (f64, usize) {
+    if !(asked > FINE * (1.0 + 1e-9) && asked.is_finite()) {
+        return (asked, 1);
+    }
+    let turned = match simulation.duration {
+        Duration::Revolutions(turns) => TAU * turns,
+        Duration::Time(time) => simulation.start_speed.abs() * time,
+    };
+    let parts = (asked / FINE * (1.0 - 1e-9)).ceil();
+    if turned / asked * parts > MOST_FINE {
+        notes.push(format!(
+            "Largest values are those of samples {:.4} deg apart, and orders need closer ones: a shorter run takes them from samples a degree apart whatever its step.",
+            asked.to_degrees()
+        ));
+        return (asked, 1);
+    }
+    (asked / parts, parts as usize)
 }
 
 /// Largest error of a fit of mounts that a run is made with.

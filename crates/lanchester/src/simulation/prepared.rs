@@ -1,7 +1,7 @@
 //! A run with its gas, friction and load, before it starts.
 
 use crate::crosscheck::pair::CrossCheckError;
-use crate::inertias::rotor_inertia;
+use crate::inertias::{rotating_bodies, rotor_inertia};
 use crate::pressure::cylinders::GasReport;
 use crate::pressure::measured::TraceFile;
 use crate::pressure::simulated::gas_over_speed;
@@ -9,7 +9,7 @@ use crate::simulation::gas_torque::{chosen_load, mean_and_friction};
 use crate::simulation::plan::{RunPlan, SimulateRequest, plan};
 use lanchester_file::EngineFile;
 use lanchester_mechanism::LoadError;
-use lanchester_model::RunLength;
+use lanchester_model::{Engine, RotatingKind, RunLength};
 use lanchester_multibody::{Drive, Load, LoadLaw, ReactsOn, Simulation, Train};
 use std::f64::consts::PI;
 
@@ -18,6 +18,8 @@ pub(crate) struct Prepared {
     pub train: Train,
     pub simulation: Simulation,
     pub length: RunLength,
+    /// Samples from one that was asked for to the next.
+    pub every: usize,
     /// Speed at which friction and the mean torque of the gas are judged [rad/s].
     pub reference_speed: f64,
     /// The gas at one speed or at several that rise; empty without gas.
@@ -39,7 +41,7 @@ pub(crate) fn prepare(
     let EngineFile { engine, tasks } = file;
     let input = tasks.simulation.as_deref();
     let mut train = Train::new(engine, &rotor_inertia(engine))?;
-    let RunPlan { mut simulation, length, reference_speed: speed, mut notes } =
+    let RunPlan { mut simulation, length, every, reference_speed: speed, mut notes } =
         plan(engine, input, &mut train, request)?;
     simulation.torque = match input {
         Some(input) => input.torque_orders().map_err(LoadError::Unread)?,
@@ -66,7 +68,20 @@ pub(crate) fn prepare(
     }
     let mut mean = 0.0;
     if let Some(report) = reports.get(own) {
-        [mean, simulation.friction_torque] = mean_and_friction(engine, &report.cylinders, speed, &mut notes)?;
+        let (of_gas, parts) = mean_and_friction(engine, &report.cylinders, speed)?;
+        mean = of_gas;
+        [simulation.friction_torque, simulation.friction_growth[0], simulation.friction_growth[1]] = parts;
+        if engine.friction.is_some() {
+            let at = simulation.friction(speed);
+            let rpm = speed * 30.0 / PI;
+            notes.push(match simulation.friction_growth == [0.0; 2] {
+                true => format!("Friction: {at:.4} N m at every speed, its mean effective pressure."),
+                false => format!(
+                    "Friction: {at:.4} N m at {rpm:.0} rpm, its mean effective pressure there; it follows the speed, from {:.4} N m at standstill.",
+                    simulation.friction_torque
+                ),
+            });
+        }
         simulation.governor = input.and_then(|input| input.governor);
     } else if input.is_some_and(|input| input.governor.is_some()) {
         notes.push("Without gas the governor has nothing to act on: it is left out.".to_owned());
@@ -79,7 +94,7 @@ pub(crate) fn prepare(
         (None, None) if is_imposed || reports.is_empty() => LoadLaw::None,
         (None, None) => {
             is_load_chosen = true;
-            let load = (mean - simulation.friction_torque).max(0.0);
+            let load = (mean - simulation.friction(speed)).max(0.0);
             let ratio = simulation.driveline.iter().map(|link| link.ratio).product();
             let is_periodic = length == RunLength::Periodic && simulation.governor.is_none();
             chosen_load(load, speed, ratio, is_periodic, &mut notes)
@@ -87,8 +102,34 @@ pub(crate) fn prepare(
     };
     let reacts_on = request.reacts_on.or(in_file.map(|load| load.reacts_on)).unwrap_or(ReactsOn::Ground);
     simulation.load = Load { law, reacts_on };
-    if let Some(rotor) = train.unknown_inertia() {
-        notes.push(format!("The moment of inertia of {} is not known: it counts as 0.", rotor.name));
+    notes.extend(unknown_inertias(engine, is_imposed));
+    Ok(Prepared {
+        train,
+        simulation,
+        length,
+        every,
+        reference_speed: speed,
+        reports,
+        own,
+        is_load_chosen,
+        notes,
+    })
+}
+
+/// What is told of bodies whose inertia is not known. At a free speed without any inertia of crankshaft 1 the run is refused instead.
+fn unknown_inertias(engine: &Engine, is_imposed: bool) -> Option<String> {
+    let bodies = rotating_bodies(engine);
+    let unknown = bodies.iter().filter(|body| body.inertia.is_none() && body.kind != RotatingKind::Flywheel);
+    let named: Vec<String> = unknown.map(|body| format!("{} (`{}`)", body.name, body.key)).collect();
+    if named.is_empty() {
+        return None;
     }
-    Ok(Prepared { train, simulation, length, reference_speed: speed, reports, own, is_load_chosen, notes })
+    let effect = match is_imposed {
+        true => "their gyroscopic couples are left out",
+        false => "the speed fluctuates by more than it would",
+    };
+    Some(format!(
+        "Not known, and counted as 0: the moments of inertia of {}; {effect}. The key in brackets gives each, of a crankshaft [crank.body] too.",
+        named.join(", ")
+    ))
 }

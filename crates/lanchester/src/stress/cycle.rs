@@ -7,7 +7,7 @@ mod results;
 pub(crate) mod rules;
 pub(crate) mod train;
 
-use crate::pressure::cylinders::{CylinderCycle, cylinder_gas};
+use crate::pressure::cylinders::{CylinderCycle, GasReport, cylinder_gas};
 use crate::pressure::measured::TraceFile;
 use crate::stress::request::{StressError, StressStage};
 use crate::stress::run::{check_crankshaft, sheet};
@@ -22,6 +22,9 @@ use results::cycle_run;
 use rules::main_rules;
 use std::f64::consts::TAU;
 use train::{Composed, bearing_places, gas_force};
+
+/// What is said of largest values under a pressure that jumps.
+const RINGS: &str = "The pressure of an ideal cycle jumps: crankshaft and bearings ring behind it as they never do in an engine, and the largest values are those of the ringing. Take a measured pressure or the single zone.";
 
 /// How far a computation is.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -134,12 +137,9 @@ pub fn crank_cycle(
             None
         }
     };
-    if gas
-        .as_ref()
-        .is_some_and(|gas| gas.cycles.iter().any(|own| matches!(own.cycle, CylinderCycle::Ideal(_))))
-    {
-        notes.push("The pressure of an ideal cycle jumps: crankshaft and bearings ring behind it as they never do in an engine. Take a measured pressure or the single zone.".to_owned());
-    }
+    let is_ideal =
+        |gas: &GasReport| gas.cycles.iter().any(|own| matches!(own.cycle, CylinderCycle::Ideal(_)));
+    let rings = gas.as_ref().is_some_and(is_ideal).then(|| RINGS.to_owned());
     notes.extend(left_out(engine, request, &sheet.crank.left_out));
     Ok(CrankCycle {
         version: CRANK_CYCLE_VERSION,
@@ -153,6 +153,7 @@ pub fn crank_cycle(
         options,
         rules,
         runs,
+        rings,
         notes,
         sheet,
     })

@@ -16,14 +16,14 @@ use crate::bearings::beam::{Beam, BeamModel};
 use crate::bearings::request::{BearingPart, BearingRequest};
 use crate::bearings::rod_force::{RodForce, RodLoads};
 use crate::inertia::internal::turning_loads;
-use crate::inertia::trace::{AngleGrid, CrankRow, Kernel, dispatch};
+use crate::inertia::trace::{AngleGrid, CrankRow};
 use crate::torque::gas::CylinderGas;
 use crate::torque::gas_train::GasTrain;
 use crate::torque::request::{Lever, TorqueError};
 use crate::train::drive::{Drive, Linkage};
 use crate::train::mechanism::{Mechanism, firing_period, linkage, master_of};
 use lanchester_model::{Engine, Ratio};
-use lanchester_numerics::{LANES, Lanes};
+use lanchester_numerics::{Kernel, LANES, Lanes, dispatch};
 use num_complex::Complex64;
 
 /// Forces over one period in columns, one vector a component; kept from call to call, so that nothing is allocated anew.

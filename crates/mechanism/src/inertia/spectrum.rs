@@ -11,13 +11,13 @@
 
 use crate::inertia::order_axis::OrderAxis;
 use crate::inertia::orders::{Harmonic, empty};
-use crate::inertia::trace::{Kernel, dispatch, run_portable};
+
 use crate::train::drive::{Drive, Linkage};
 use crate::train::linkage::Slider;
 use crate::train::mechanism::{Mechanism, Piston};
 use crate::train::series::RootFactors;
 use lanchester_model::Ratio;
-use lanchester_numerics::{ComplexLanes, LANES, Lanes};
+use lanchester_numerics::{ComplexLanes, Kernel, LANES, Lanes, Vectors, dispatch};
 use lanchester_results::OrderLoads;
 use num_complex::Complex64;
 
@@ -131,7 +131,7 @@ impl OrderPlan {
     /// As [`OrderPlan::orders_into`], with the instructions that the program was compiled for alone.
     pub fn orders_into_portable(&self, orders: &mut Vec<OrderLoads>) {
         orders.clone_from(&self.constant);
-        run_portable(OrderKernel { plan: self, orders });
+        Vectors::Portable.run(OrderKernel { plan: self, orders });
     }
 }
 

@@ -15,67 +15,9 @@ use crate::train::drive::{Drive, Linkage};
 use crate::train::linkage::Slider;
 use crate::train::mechanism::{KnuckleMass, Mechanism, Piston, Rotor};
 use lanchester_model::Ratio;
-use lanchester_numerics::{LANES, Lanes};
+use lanchester_numerics::{Kernel, LANES, Lanes, Vectors, dispatch};
 use lanchester_results::Trace;
 use num_complex::Complex64;
-
-/// Code that is compiled once for each set of vector instructions.
-pub(crate) trait Kernel {
-    /// Runs it; `FMA`: fused multiply-add is one instruction.
-    fn run<const FMA: bool>(self);
-}
-
-/// Runs `kernel` with the best vector instructions that this machine has.
-#[allow(unsafe_code)]
-pub(crate) fn dispatch<K: Kernel>(kernel: K) {
-    #[cfg(target_arch = "x86_64")]
-    {
-        if has_avx512() {
-            // SAFETY: the function is safe but for its instructions, and the machine was just found to have them.
-            return unsafe { run_avx512(kernel) };
-        }
-        if has_avx2() {
-            // SAFETY: as above.
-            return unsafe { run_avx2(kernel) };
-        }
-    }
-    run_portable(kernel);
-}
-
-#[cfg(target_arch = "x86_64")]
-fn has_avx2() -> bool {
-    is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma")
-}
-
-#[cfg(target_arch = "x86_64")]
-fn has_avx512() -> bool {
-    has_avx2()
-        && is_x86_feature_detected!("avx512f")
-        && is_x86_feature_detected!("avx512vl")
-        && is_x86_feature_detected!("avx512dq")
-}
-
-#[cfg(target_arch = "x86_64")]
-#[target_feature(enable = "avx512f,avx512vl,avx512dq,avx2,fma")]
-fn run_avx512<K: Kernel>(kernel: K) {
-    kernel.run::<true>();
-}
-
-#[cfg(target_arch = "x86_64")]
-#[target_feature(enable = "avx2,fma")]
-fn run_avx2<K: Kernel>(kernel: K) {
-    kernel.run::<true>();
-}
-
-/// Runs `kernel` with the instructions that the program was compiled for.
-pub(crate) fn run_portable<K: Kernel>(kernel: K) {
-    // Elsewhere a fused multiply-add may be a library call; on 64-bit ARM it is always there.
-    if cfg!(target_arch = "aarch64") {
-        kernel.run::<true>();
-    } else {
-        kernel.run::<false>();
-    }
-}
 
 /// Equally spaced angles of one period, with the tables of `cos` and `sin` that the kernel needs.
 #[derive(Debug, Clone, PartialEq)]
@@ -347,7 +289,7 @@ impl TracePlan {
     /// As [`TracePlan::trace_into`], with the instructions that the program was compiled for alone.
     pub fn trace_into_portable(&self, trace: &mut Trace) {
         self.make_room(trace);
-        run_portable(TraceKernel { plan: self, trace });
+        Vectors::Portable.run(TraceKernel { plan: self, trace });
         self.add_truncated(trace);
     }
 
@@ -534,7 +476,6 @@ impl TracePlan {
 }
 
 #[cfg(test)]
-#[cfg(target_arch = "x86_64")]
 mod tests {
     use super::*;
     use crate::LoadRequest;
@@ -542,7 +483,6 @@ mod tests {
 
     /// Every variant by itself: `dispatch` would only ever run the best that the machine has.
     #[test]
-    #[allow(unsafe_code)]
     fn every_instruction_set_gives_the_same_trace() {
         for name in ["v6-60", "radial-9", "opposed-piston-3"] {
             let engine =
@@ -552,18 +492,10 @@ mod tests {
             let mut portable = Trace::default();
             plan.trace_into_portable(&mut portable);
             let mut traces = Vec::new();
-            if has_avx2() {
+            for vectors in Vectors::available() {
                 let mut trace = Trace::default();
                 plan.make_room(&mut trace);
-                // SAFETY: the machine was just found to have the instructions.
-                unsafe { run_avx2(TraceKernel { plan: &plan, trace: &mut trace }) };
-                traces.push(trace);
-            }
-            if has_avx512() {
-                let mut trace = Trace::default();
-                plan.make_room(&mut trace);
-                // SAFETY: as above.
-                unsafe { run_avx512(TraceKernel { plan: &plan, trace: &mut trace }) };
+                vectors.run(TraceKernel { plan: &plan, trace: &mut trace });
                 traces.push(trace);
             }
             for mut trace in traces {

@@ -59,6 +59,11 @@ impl OuterTorque {
         Ok(OuterTorque { load, revolutions: found.ok_or(refused)?, orders })
     }
 
+    /// Whether there is none.
+    pub fn is_none(&self) -> bool {
+        self.orders.is_empty() && self.load.is_none()
+    }
+
     /// Mean of the torque [N m].
     pub(crate) fn mean(&self) -> f64 {
         self.orders.iter().filter(|one| one.order == 0.0).map(|one| one.cos).sum()

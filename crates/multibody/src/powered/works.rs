@@ -30,7 +30,7 @@ pub(crate) fn counted(
         || simulation.load.law != LoadLaw::None
         || simulation.events.iter().any(|event| loads(&event.action));
     all[STARTER] = simulation.starter.is_some();
-    all[FRICTION] = simulation.friction_torque != 0.0;
+    all[FRICTION] = simulation.friction_torque != 0.0 || simulation.friction_growth != [0.0; 2];
     all[PISTON_FRICTION] = simulation.piston_damping != 0.0;
     all[OUTSIDE] = !simulation.torque.is_empty() || !matches!(simulation.drive, Drive::Free);
     all[MOUNT_DAMPING] = simulation.block == BlockMotion::Mounts

@@ -51,6 +51,8 @@ pub(crate) fn check(train: &Train, simulation: &Simulation, with_gas: bool) -> R
     number("start angle [rad]", "finite", simulation.start_angle, true)?;
     whole("acceleration of gravity [m/s^2]", simulation.gravity)?;
     whole("friction torque [N m]", simulation.friction_torque)?;
+    whole("growth of friction with the speed [N m s/rad]", simulation.friction_growth[0])?;
+    whole("growth of friction with the square of the speed [N m s^2/rad^2]", simulation.friction_growth[1])?;
     whole("piston damping [N s/m]", simulation.piston_damping)?;
     match simulation.duration {
         Duration::Revolutions(turns) => positive("duration [revolutions]", turns)?,

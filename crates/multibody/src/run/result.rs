@@ -117,7 +117,40 @@ pub struct Samples {
     pub reactions: Vec<Reactions>,
 }
 
+/// Every `every`-th, and the last.
+fn thinned<T: Clone>(series: &[T], every: usize) -> Vec<T> {
+    let last = series.len().saturating_sub(1);
+    let kept = series.iter().enumerate().filter(|(k, _)| k % every == 0 || *k == last);
+    kept.map(|(_, value)| value.clone()).collect()
+}
+
 impl Samples {
+    /// Every `every`-th of them, and the last.
+    pub fn every(&self, every: usize) -> Samples {
+        let every = every.max(1);
+        let numbers = |series: &[f64]| thinned(series, every);
+        Samples {
+            time: numbers(&self.time),
+            theta: numbers(&self.theta),
+            speed: numbers(&self.speed),
+            acceleration: numbers(&self.acceleration),
+            gas_torque: numbers(&self.gas_torque),
+            load_torque: numbers(&self.load_torque),
+            starter_torque: numbers(&self.starter_torque),
+            friction_torque: numbers(&self.friction_torque),
+            outside_torque: numbers(&self.outside_torque),
+            driveline_torque: numbers(&self.driveline_torque),
+            governor: numbers(&self.governor),
+            driveline: thinned(&self.driveline, every),
+            position: thinned(&self.position, every),
+            orientation: thinned(&self.orientation, every),
+            velocity: thinned(&self.velocity, every),
+            spin: thinned(&self.spin, every),
+            mounts: thinned(&self.mounts, every),
+            reactions: thinned(&self.reactions, every),
+        }
+    }
+
     /// Makes room for so many more of those that every run has, and of the reactions where they were asked for before.
     pub(crate) fn reserve(&mut self, more: usize) {
         for series in [

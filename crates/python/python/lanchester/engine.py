@@ -446,7 +446,7 @@ class Engine:
     ) -> BearingFilms:
         """Oil films of the main and crankpin bearings: orbit, smallest film, largest pressure. The file gives width, clearance and oil.
 
-        `cavitation`: ``"reynolds"``, ``"gumbel"``, ``"full"``, or several.
+        `cavitation`: ``"reynolds"``, ``"gumbel"``, ``"full"``, or several; by default that of the file, else gumbel.
 
         >>> import lanchester
         >>> try:

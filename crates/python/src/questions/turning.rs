@@ -186,7 +186,6 @@ fn read_films(options: &Options<'_>) -> Result<Run, Failure> {
     let words =
         [("full", Cavitation::Full), ("gumbel", Cavitation::Gumbel), ("reynolds", Cavitation::Reynolds)];
     let models = options.words("cavitation", &words)?;
-    let models = if models.is_empty() { vec![Cavitation::Reynolds] } else { models };
     Ok(Box::new(move |engines, _| {
         let own = &engines[0];
         let request = BearingRequest { speed, part: part_of(own, asked)?, counterweights: true, samples };

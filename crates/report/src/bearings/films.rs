@@ -6,7 +6,7 @@ use crate::kit::number;
 use crate::kit::paragraph::push_wrapped;
 use crate::kit::section::Section;
 use crate::kit::table::{Table, numbers, words};
-use lanchester_film::{BearingFilm, BearingKind, OrbitOutcome};
+use lanchester_film::{BearingFilm, BearingKind, Cavitation, OrbitOutcome};
 use std::f64::consts::PI;
 
 /// Rise of temperature that no oil survives [K].
@@ -23,7 +23,12 @@ pub fn films_table(films: &[BearingFilm]) -> Table {
         OrbitOutcome::NotPeriodic => "not periodic",
         OrbitOutcome::Periodic if film.orbit.least_film < film.roughness => "below roughness",
         OrbitOutcome::Periodic if !film.heat_balanced => "no heat balance",
-        OrbitOutcome::Periodic if film.temperature_rise > HOT => "rise beyond any oil",
+        OrbitOutcome::Periodic if film.cavitation == Cavitation::Full && film.temperature_rise.is_none() => {
+            "no flow takes the heat"
+        }
+        OrbitOutcome::Periodic if film.temperature_rise.is_none_or(|rise| rise > HOT) => {
+            "rise beyond any oil"
+        }
         OrbitOutcome::Periodic if film.roughness == 0.0 && film.orbit.least_film < ROUGH => {
             "thinner than surfaces are rough"
         }
@@ -47,7 +52,7 @@ pub fn films_table(films: &[BearingFilm]) -> Table {
             column("at", "deg", 4, |film| film.largest_pressure_angle * 180.0 / PI),
             column("friction", "W", 4, |film| film.orbit.friction_power),
             column("flow", "ml/s", 3, |film| 1e6 * film.orbit.side_flow),
-            column("rise", "K", 3, |film| film.temperature_rise),
+            column("rise", "K", 3, |film| film.temperature_rise.unwrap_or(f64::NAN)),
             column("viscosity", "mPa s", 3, |film| 1e3 * film.viscosity),
             words("remark", films.iter().map(|film| state(film).to_owned())),
         ],
@@ -118,10 +123,24 @@ fn least_words(speed: f64, film: &BearingFilm) -> String {
     }
 }
 
-/// The table with what was assumed.
+/// The thinnest film of every model, then the table with what was assumed.
 pub fn films_text(engine: &str, speed: f64, films: &[BearingFilm], assumptions: &[String]) -> String {
     let rpm = number::terminal(number::rpm(speed), 0);
-    let mut out = format!("{engine} at {rpm} rpm: oil films\n\n{}", films_table(films).text());
+    let mut out = format!("{engine} at {rpm} rpm: oil films\n\n");
+    let mut models: Vec<Cavitation> = Vec::new();
+    for film in films.iter().filter(|film| film.orbit.outcome != OrbitOutcome::Overloaded) {
+        if !models.contains(&film.cavitation) {
+            models.push(film.cavitation);
+        }
+    }
+    for model in models {
+        let own = films.iter().filter(|film| film.cavitation == model);
+        if let Some(least) = own.min_by(|a, b| a.orbit.least_film.total_cmp(&b.orbit.least_film)) {
+            push_wrapped(&mut out, "", &format!("{}: {}", model.name(), least_words(speed, least)));
+        }
+    }
+    out.push('\n');
+    out.push_str(&films_table(films).text());
     for assumption in assumptions {
         out.push('\n');
         push_wrapped(&mut out, "", assumption);

@@ -22,6 +22,8 @@ pub struct CrossCheck {
     pub gas: Option<String>,
     /// Conditions, in order.
     pub conditions: Vec<ConditionCheck>,
+    /// What of the file acts in some conditions alone.
+    pub notes: Vec<String>,
 }
 
 /// Under what both are computed.
@@ -258,7 +260,7 @@ pub fn crosscheck_section(check: &CrossCheck) -> Section {
             "Closed form and bond graph at {speed} rpm, held against the simulation of the same engine as rigid bodies, with which they share no physics."
         ))
         .words(all)
-        .paragraphs(check.conditions.iter().filter_map(ConditionCheck::missing))
+        .paragraphs(check.notes.iter().cloned().chain(check.conditions.iter().filter_map(ConditionCheck::missing)))
         .tables(check.conditions.iter().filter(|condition| !condition.rows.is_empty()).map(ConditionCheck::table))
 }
 
@@ -270,6 +272,9 @@ pub fn crosscheck_text(check: &CrossCheck) -> String {
         "{} at {speed} rpm, closed form and bond graph against multibody simulation, {gas}\n",
         check.engine
     );
+    for note in &check.notes {
+        push_wrapped(&mut out, "", note);
+    }
     for condition in &check.conditions {
         out.push('\n');
         match condition.missing() {

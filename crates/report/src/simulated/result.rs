@@ -1,7 +1,8 @@
 //! A simulated run with what its reader must know.
 
-use lanchester_multibody::{Followed, MainRule, Occasion, PeriodicOutcome, Run};
+use lanchester_multibody::{Followed, MainRule, Occasion, PeriodicOutcome, Run, Samples};
 use serde::Serialize;
+use std::borrow::Cow;
 use std::f64::consts::TAU;
 
 /// Version of these structures; raised when a field changes its meaning or goes.
@@ -32,6 +33,9 @@ pub struct SimulationResult {
     pub periodic: Option<PeriodicResult>,
     /// Names of what turns besides crankshaft 1, in the order of the rotors of the reactions.
     pub gears: Vec<String>,
+    /// Samples from one that was asked for to the next: between them stand others, at most a degree apart, so that largest values and orders do not depend on the step.
+    /// What is written has every one that was asked for ([`SimulationResult::written`]).
+    pub every: usize,
     /// Motion of the points of the block that were asked for.
     pub points: Vec<PointMotion>,
     /// The run.
@@ -65,6 +69,23 @@ pub struct PeriodicResult {
 }
 
 impl SimulationResult {
+    /// With the samples that were asked for alone.
+    pub fn written(&self) -> Cow<'_, SimulationResult> {
+        if self.every <= 1 {
+            return Cow::Borrowed(self);
+        }
+        let mut own =
+            SimulationResult { run: Run { samples: Samples::default(), ..self.run.clone() }, ..self.clone() };
+        own.run.samples = self.run.samples.every(self.every);
+        let last = self.run.samples.theta.len().saturating_sub(1);
+        for point in &mut own.points {
+            let mut index = 0..;
+            point.displacement.retain(|_| index.next().is_some_and(|k| k % self.every == 0 || k == last));
+        }
+        own.every = 1;
+        Cow::Owned(own)
+    }
+
     /// Samples of the last whole period, or all where there is none.
     pub fn last_period(&self) -> std::ops::Range<usize> {
         let theta = &self.run.samples.theta;
@@ -93,18 +114,14 @@ impl SimulationResult {
         occasion_words(what, &self.actions)
     }
 
-    /// Main bearings: number of the crankshaft, of the main, plane, largest load by every rule [N].
+    /// Main bearings: number of the crankshaft, of the main, plane, largest load in the last period by every rule [N].
     pub(super) fn mains(&self) -> Vec<(usize, usize, f64, [f64; 3])> {
         let mut all = Vec::new();
         for (shaft, planes) in self.mains.iter().enumerate() {
             for (main, z) in planes.iter().enumerate() {
                 let of = |rule: usize| {
-                    let loads = self
-                        .run
-                        .samples
-                        .reactions
-                        .iter()
-                        .filter_map(|r| r.rotors.get(shaft)?.mains[rule].get(main));
+                    let last = self.run.samples.reactions.get(self.last_period()).unwrap_or_default();
+                    let loads = last.iter().filter_map(|r| r.rotors.get(shaft)?.mains[rule].get(main));
                     loads.map(|[x, y]| x.hypot(*y)).fold(0.0, f64::max)
                 };
                 all.push((shaft + 1, main + 1, *z, [of(0), of(1), of(2)]));

@@ -51,6 +51,9 @@ pub fn simulation_words(result: &SimulationResult) -> Vec<String> {
     all
 }
 
+/// Begins what is said of a search for a periodic motion.
+pub(crate) const PERIODIC: &str = "Periodic motion:";
+
 /// How the search for a periodic motion ended.
 fn periodic_words(periodic: &PeriodicResult) -> String {
     let after = |followed: &Followed| {
@@ -65,7 +68,7 @@ fn periodic_words(periodic: &PeriodicResult) -> String {
         }
         PeriodicOutcome::NotFound => return no_periodic_words(periodic.followed.as_ref()),
     };
-    let mut words = format!("Periodic motion: {found}");
+    let mut words = format!("{PERIODIC} {found}");
     words += &periodic
         .followed
         .as_ref()
@@ -79,14 +82,14 @@ fn periodic_words(periodic: &PeriodicResult) -> String {
 /// What became of the engine where no periodic motion was found.
 fn no_periodic_words(followed: Option<&Followed>) -> String {
     let Some(followed) = followed else {
-        return "Periodic motion: not found; one period from the start is shown.".to_owned();
+        return format!("{PERIODIC} not found; one period from the start is shown.");
     };
     let [first, before, last] = followed.speeds;
     let rpm = |speed: f64| number::short(number::rpm(speed), 5);
     let step = last - before;
     if followed.came_to_rest {
         return format!(
-            "Periodic motion: none found. From the start at {} rpm the engine comes to rest after {} whole periods: that run is shown.",
+            "{PERIODIC} none found. From the start at {} rpm the engine comes to rest after {} whole periods: that run is shown.",
             rpm(first),
             followed.periods
         );
@@ -97,7 +100,7 @@ fn no_periodic_words(followed: Option<&Followed>) -> String {
         false => "no longer changes, but other parts of the motion do".to_owned(),
     };
     format!(
-        "Periodic motion: none found. From the start at {} rpm the speed comes to {} rpm in {} periods, {} s, and {trend}: the next period is shown.",
+        "{PERIODIC} none found. From the start at {} rpm the speed comes to {} rpm in {} periods, {} s, and {trend}: the next period is shown.",
         rpm(first),
         rpm(last),
         followed.periods,
@@ -187,7 +190,9 @@ pub(crate) fn simulation_tables(result: &SimulationResult) -> Vec<Table> {
 fn speed_table(result: &SimulationResult) -> Table {
     let [most, least, mean] = result.speeds();
     let rpm = |speed: f64| Cell::number(number::rpm(speed), 7);
-    let fluctuation = Cell::number(100.0 * (most - least) / mean, 4);
+    // Of an engine that comes to rest or turns back it says nothing.
+    let turns = least > 0.0 && mean > 0.0;
+    let fluctuation = if turns { Cell::number(100.0 * (most - least) / mean, 4) } else { Cell::Empty };
     table(
         "simulated-speed",
         "Speed in the last period",
@@ -266,7 +271,7 @@ fn mains_table(result: &SimulationResult) -> Option<Table> {
     columns.extend(MainRule::ALL.map(|rule| words(rule.name(), "N")));
     columns.push(words("spread", "N"));
     let note = "Rigid bodies leave the loads of more than two bearings open: each rule is one answer, their spread is what is not known.";
-    let title = "Main bearings: largest load over the run by three rules";
+    let title = "Main bearings: largest load in the last period by three rules";
     Some(table("simulated-mains", title, note, columns, rows.collect()))
 }
 

@@ -81,6 +81,7 @@ pub fn simulation_events_columns(result: &SimulationResult) -> SimulationColumns
 
 /// Angle, speed, torques, pose of the block and mount forces at every sample.
 fn simulation_trace(result: &SimulationResult) -> Vec<NamedSeries> {
+    let result = &*result.written();
     let samples = &result.run.samples;
     let mut columns: Vec<NamedSeries> = vec![
         ("time [s]".into(), samples.time.clone()),
@@ -125,6 +126,7 @@ fn simulation_trace(result: &SimulationResult) -> Vec<NamedSeries> {
 
 /// Side thrust, pins, mains by the three rules and shaft torque at every sample.
 fn simulation_reactions(result: &SimulationResult) -> Vec<NamedSeries> {
+    let result = &*result.written();
     let samples = &result.run.samples;
     let degrees = samples.theta.iter().map(|theta| theta.to_degrees()).collect();
     let mut columns: Vec<NamedSeries> = vec![("theta [deg]".into(), degrees)];

@@ -139,7 +139,7 @@ impl StaticStress {
             peak.name,
             case.name,
             forces.join(", "),
-        )
+        ) + &coarse_words(stress.jump, self.convergence.is_some())
     }
 
     /// The load cases.
@@ -424,4 +424,18 @@ pub fn static_stress_csv(stress: &StaticStress) -> String {
         push_csv_line(&mut out, line);
     }
     out
+}
+
+/// Jump of the stress from element to element above which a fillet is too coarse to go by.
+const COARSE: f64 = 0.2;
+
+/// What is said where elements are too coarse; with three meshes the band says it.
+fn coarse_words(jump: f64, is_studied: bool) -> String {
+    if jump <= COARSE || is_studied {
+        return String::new();
+    }
+    format!(
+        " Elements are coarse there: the stress jumps by {:.0} % from one to the next, and may be as much too low. More of them across the fillet, a submodel or a study of three meshes tell it.",
+        100.0 * jump
+    )
 }

@@ -9,7 +9,7 @@ use crate::format::Format;
 use crate::options::stress::CycleArguments;
 use crate::requests::stress::cycle_request;
 use crate::run::table_file;
-use crate::simulation_watch::GoesOn;
+use crate::simulation_watch::Interruptible;
 use crate::trace_files::trace_files;
 use crate::watch::is_due;
 use lanchester::report::{
@@ -32,11 +32,11 @@ pub fn cycle(arguments: &CycleArguments, colour: bool) -> Result<u8, Failure> {
     let request = cycle_request(arguments, &opened.file)?;
     let engine = &opened.file.engine;
     let traces = if request.gas { trace_files(engine, &own.file)? } else { Vec::new() };
-    let goes_on = GoesOn::until_interrupted();
+    let run = Interruptible::listening();
     let progress = Progress::default();
     let watch = |stage| {
         progress.hear(stage);
-        goes_on.now()
+        run.goes_on()
     };
     let found = crank_cycle(engine, &traces, &request, &watch).map_err(Failure::refused)?;
     progress.end();

@@ -92,6 +92,8 @@ pub struct CrankCycle {
     pub rules: Option<MainRules>,
     /// One a law and kind of crankshaft.
     pub runs: Vec<CycleRun>,
+    /// What keeps the largest values from being those of an engine, where something does.
+    pub rings: Option<String>,
     /// What was assumed and left out.
     pub notes: Vec<String>,
 }
@@ -282,6 +284,13 @@ impl CrankCycle {
     pub fn least_film(&self) -> Option<f64> {
         let films = self.runs.iter().flat_map(|run| &run.bearings).filter_map(|own| own.film.as_ref());
         films.map(|film| film.thickness).min_by(f64::total_cmp)
+    }
+
+    /// The bearing through whose shell a journal leans furthest, and the thickness at its ends [m]; `None` where none does.
+    pub(super) fn touching_ends(&self) -> Option<(String, f64)> {
+        let bearings = self.runs.iter().flat_map(|run| &run.bearings);
+        let ends = bearings.filter_map(|own| Some((own.name(), own.film.as_ref()?.at_ends)));
+        ends.filter(|(_, at_ends)| *at_ends < 0.0).min_by(|a, b| a.1.total_cmp(&b.1))
     }
 
     /// Whether every run has an outcome to go by and balanced energies.

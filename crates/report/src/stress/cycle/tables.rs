@@ -216,6 +216,14 @@ impl CrankCycle {
         if let Some(film) = self.least_film() {
             out.push_str(&format!(" Least film {} um.", number::short(1e6 * film, 3)));
         }
+        if let Some((name, at_ends)) = self.touching_ends() {
+            out.push_str(&format!(
+                " At the ends of {name} the journal leans through it: {} um, so that the least film is not one to go by.",
+                number::short(1e6 * at_ends, 3)
+            ));
+        }
+        // The headline is what is read: what it is worth belongs to it.
+        out.extend(self.rings.iter().map(|words| format!(" {words}")));
         out
     }
 
