@@ -12,6 +12,7 @@ pub(crate) mod sensitivity;
 pub(crate) mod session;
 pub(crate) mod shape_preview;
 pub(crate) mod simulation;
+pub(crate) mod studies;
 pub(crate) mod summary;
 pub(crate) mod torsion;
 
@@ -27,6 +28,7 @@ pub(crate) fn all() -> Api {
         torsion::questions,
         sensitivity::questions,
         simulation::questions,
+        studies::questions,
         figures::questions,
         balancing::questions,
         counterweights::questions,

@@ -16,7 +16,6 @@
 //! ```
 #![forbid(unsafe_code)]
 
-mod arrangements;
 mod bearing_films;
 mod bond_graph;
 mod comparison;
@@ -32,6 +31,7 @@ mod mounted;
 mod operating_point;
 mod parts;
 mod pressure;
+mod published;
 mod robust_balance;
 pub mod run;
 mod running;
@@ -43,7 +43,6 @@ mod torque_files;
 mod torque_report;
 mod torsion_study;
 
-pub use arrangements::arrangements;
 pub use bearing_films::{
     BEARING_FILMS_VERSION, BearingFilms, BearingFilmsError, bearing_films, bearing_films_over_speed,
 };
@@ -85,6 +84,7 @@ pub use mounted::{MountSpeeds, MountedError, mounts};
 pub use operating_point::{operating_point, sensitivity_amount};
 pub use parts::*;
 pub use pressure::*;
+pub use published::*;
 pub use robust_balance::{MOST_ENGINES, RobustError, RobustOptions, robust_balance, robust_balance_while};
 pub use running::{Running, is_running, running};
 pub use sample_study::{SampleStudy, SavedScatter};

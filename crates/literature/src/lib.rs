@@ -24,6 +24,7 @@ mod resultant;
 mod shaft_pair;
 mod swept;
 mod twin_arrangement;
+mod usual;
 
 pub use arrangement_task::{arrangement_task, crank_task, swept_task};
 pub use basis::Basis;
@@ -46,3 +47,4 @@ pub use twin_arrangement::{
     ArrangementOptions, CrankRule, GivenAmounts, TwinArrangement, arranged, crank_load, swept_crank,
     with_even_crank,
 };
+pub use usual::{SHAFT_DISTANCE, largest_radius, outer_throws};

@@ -15,5 +15,5 @@ pub use swept::{sweep_steps_table, swept_table, swept_text};
 pub use tables::{
     equilibrium_table, method_effects_table, method_numbers_table, method_orders_table, method_weights_table,
 };
-pub use text::method_text;
+pub use text::{method_source, method_text, residual_noise};
 pub use vectors::PublishedVectors;

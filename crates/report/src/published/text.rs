@@ -1,5 +1,6 @@
 //! A published method and the optimum beside it as plain text.
 
+use crate::kit::magnitude::Magnitude;
 use crate::kit::number;
 use crate::kit::paragraph::push_wrapped;
 use crate::kit::rounding::clean;
@@ -21,7 +22,7 @@ pub fn method_text(engine: &Engine, answer: &MethodAnswer, consequences: &Conseq
     let mut out = String::with_capacity(4096);
     let rpm = number::terminal(number::rpm(answer.optimum.speed), 0);
     let _ = writeln!(out, "{} at {rpm} rpm, where the loads of the range are largest", answer.engine);
-    push_wrapped(&mut out, "", &format!("Method: {}.", source(&answer.found)));
+    push_wrapped(&mut out, "", &format!("Method: {}.", method_source(&answer.found)));
     out.push('\n');
     push_wrapped(&mut out, "", &verdict(engine, answer));
     push_wrapped(&mut out, "", &consequence_words(consequences));
@@ -48,7 +49,7 @@ pub fn method_text(engine: &Engine, answer: &MethodAnswer, consequences: &Conseq
 }
 
 /// Name and source of a method.
-fn source(found: &MethodFound) -> String {
+pub fn method_source(found: &MethodFound) -> String {
     const THESIS: &str = "J. Singh, Mass balancing of 3-cylinder and 4-cylinder inline engines, ME thesis, Thapar \
                           University, 2017";
     match found {
@@ -71,6 +72,11 @@ fn source(found: &MethodFound) -> String {
             )
         }
     }
+}
+
+/// Below this a load on the block of `engine` in `unit`, N or N m, is rounding.
+pub fn residual_noise(engine: &Engine, unit: &str) -> f64 {
+    Magnitude::of_masses(engine).noise_of_unit(unit)
 }
 
 /// How much the method leaves, in a sentence.

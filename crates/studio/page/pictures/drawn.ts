@@ -15,6 +15,7 @@ export const TABS = {
   balance: "Balance",
   counterweight: "Counterweight",
   results: "Results",
+  studies: "Studies",
   compare: "Compare",
 } as const;
 

@@ -1,5 +1,6 @@
 // Each tab in both themes, on a desk and on a phone.
 
+import { newEngine } from "../tests/page";
 import { expect, test } from "../tests/server";
 import { draw, into, section, start, tab, THEMES, top, turned } from "./drawn";
 
@@ -43,6 +44,19 @@ for (const theme of THEMES) {
       await expect(page.getByRole("table", { name: "Clearances" })).toContainText("kept");
       await top(page);
       await draw(page, `counterweight-${theme}`);
+    });
+
+    test("studies", async ({ page, studio }) => {
+      await start(page, studio.address, theme);
+      await newEngine(page, "V6", "V6, 60 degrees, even firing on pins split by 60 degrees");
+      await tab(page, "studies");
+      await page.getByRole("textbox", { name: "Bank angles" }).fill("60..120 by 15");
+      await page.getByRole("textbox", { name: "Split of pins" }).fill("-60..60 by 30");
+      await page.getByRole("button", { name: "Search", exact: true }).click();
+      await expect(page.getByRole("table", { name: "Pareto-optimal layouts" })).toBeVisible();
+      await page.getByRole("button", { name: "Layout 2", exact: true }).click();
+      await into(page.getByRole("form", { name: "Search over layouts" }));
+      await draw(page, `studies-${theme}`);
     });
 
     test("compare", async ({ page, studio }) => {

@@ -7,10 +7,10 @@ use crate::failure::{DONE, Failure};
 use crate::files::{print, write_result};
 use crate::format::Format;
 use crate::options::published::MatrixShafts;
-use lanchester::balance::{BalanceError, Consequences};
+use lanchester::balance::Consequences;
 use lanchester::literature::{
-    Alpha, AngleRule, BalanceFactor, BalancerPhase, FourCylinderRule, MatrixMethod, MethodAnswer,
-    PublishedMethod, ShaftPair, ThreeCylinderRule,
+    Alpha, AngleRule, BalanceFactor, BalancerPhase, MatrixMethod, MethodAnswer, PublishedMethod,
+    SHAFT_DISTANCE, ShaftPair, largest_radius, outer_throws,
 };
 use lanchester::mechanism::{LoadRequest, loads};
 use lanchester::model::Engine;
@@ -19,9 +19,6 @@ use lanchester::report::{
     method_text, method_weights_table, share_plots, stages_table,
 };
 use lanchester::task::option;
-
-/// Distance of first-order shafts from the crank axis [m], Table 1 of the tool paper.
-const SHAFT_DISTANCE: f64 = 0.1;
 
 /// Whether a published method is asked for, and not the optimum. Options of the one do not go with the other.
 pub fn asked_for(arguments: &BalanceArguments) -> Result<bool, Failure> {
@@ -127,8 +124,7 @@ fn method(engine: &Engine, arguments: &BalanceArguments) -> Result<PublishedMeth
     let shaft_length = length(&options.shaft_length, "--shaft-length", outer_throws(engine))?;
     let distance = length(&options.shaft_distance, "--shaft-distance", SHAFT_DISTANCE)?;
     if arguments.method == BalanceMethod::Matrix {
-        let crank_radius = engine.throws.iter().fold(0.0f64, |m, t| m.max(t.radius));
-        let radius = length(&options.counterweight_radius, "--counterweight-radius", crank_radius)?;
+        let radius = length(&options.counterweight_radius, "--counterweight-radius", largest_radius(engine))?;
         let shaft_radius = length(&options.shaft_radius, "--shaft-radius", radius)?;
         let pair = |y: f64| {
             Some(ShaftPair { radius: shaft_radius, length: shaft_length, forward_y: y, backward_y: -y })
@@ -159,25 +155,11 @@ fn method(engine: &Engine, arguments: &BalanceArguments) -> Result<PublishedMeth
         let share = option::share(share, "--balance-factor").map_err(Failure::from)?;
         return Ok(PublishedMethod::Factor(BalanceFactor(share)));
     }
-    let three = ThreeCylinderRule {
-        shaft_length,
-        shaft_at: [0.0, distance],
-        phase: match options.as_printed {
-            true => BalancerPhase::OppositeFirstThrow,
-            false => BalancerPhase::CouplePeak,
-        },
+    let phase = match options.as_printed {
+        true => BalancerPhase::OppositeFirstThrow,
+        false => BalancerPhase::CouplePeak,
     };
-    let four = FourCylinderRule { forward_at: [0.0, distance], backward_at: [0.0, -distance] };
-    // The rules know one engine each; any other has the share alone.
-    let found = match engine.cylinders.len() {
-        3 if !matches!(three.fit(engine), Err(BalanceError::Unsuited { .. })) => {
-            PublishedMethod::ThreeCylinder(three)
-        }
-        4 if !matches!(four.fit(engine), Err(BalanceError::Unsuited { .. })) => {
-            PublishedMethod::FourCylinder(four)
-        }
-        _ => PublishedMethod::Factor(BalanceFactor::BEST),
-    };
+    let found = PublishedMethod::half_rule(engine, shaft_length, distance, phase);
     if options.as_printed && !matches!(found, PublishedMethod::ThreeCylinder(_)) {
         return Err(Failure::input(
             "--as-printed is for the balancer of an in-line three, and this engine has another rule",
@@ -185,14 +167,6 @@ fn method(engine: &Engine, arguments: &BalanceArguments) -> Result<PublishedMeth
         ));
     }
     Ok(found)
-}
-
-/// Distance of the outermost throws [m]; of a single throw its diameter.
-fn outer_throws(engine: &Engine) -> f64 {
-    let z = engine.throws.iter().map(|t| t.z);
-    let (low, high) = z.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), z| (low.min(z), high.max(z)));
-    let radius = engine.throws.iter().fold(0.0f64, |m, t| m.max(t.radius));
-    if high - low > radius { high - low } else { 2.0 * radius }
 }
 
 fn web_pattern(text: &str) -> Result<Vec<bool>, Failure> {

@@ -552,6 +552,36 @@ export type BigEndClearance = {
 /** How the block of an engine's graph moves. */
 export type BlockOf = "fixed" | "plane" | "space";
 
+/** The bobweight of one pin. */
+export type Bobweight = {
+  /** The bobweight [kg]. */
+  mass: number;
+  /** Oil [kg]. */
+  oil: number;
+  /** Name of the pin. */
+  pin: string;
+  /** Reciprocating mass of all rods [kg]. */
+  reciprocating: number;
+  /** Rods on the pin. */
+  rods: number;
+  /** Rotating mass of the rods [kg], without the oil. */
+  rotating: number;
+  /** Number of its throw in the engine file. */
+  throw: number | null;
+};
+
+/** The engine with the weighed parts, its crank balanced in different ways. */
+export type BobweightComparison = {
+  /** Proved alike: none that reach that peak force have a smaller peak couple [N m]. */
+  couple_bound: number;
+  /** Proved for the optimum: no weights at the ends of the crank have a smaller peak force [N] than this. */
+  force_bound: number;
+  /** Speed [rad/s]. */
+  speed: number;
+  /** The ways; the last is the optimum. */
+  ways: ComparedBalance[];
+};
+
 /** The clearances of a counterweight with its web, or of a web without counterweight. */
 export type BodyClearances = {
   /** Whether it has chamfers, which count as not cut: every distance is a lower bound then. */
@@ -632,6 +662,18 @@ export type CancelledOrder = {
   left: number;
   /** Its peak without the free devices [N or N m]. */
   without: number;
+};
+
+/** How an output stands to a limit. */
+export type Capability = {
+  /** Samples beyond the limit. */
+  beyond: number;
+  /** `(limit - mean) / (3 standard deviations)`: for a normal distribution. */
+  cpk: number;
+  /** `(limit - median) / (99.865 % percentile - median)`: for any distribution (ISO 22514-2). */
+  cpk_by_percentiles: number;
+  /** The limit. */
+  limit: number;
 };
 
 /** Amounts of which a free weight has one, or none at all. */
@@ -737,6 +779,14 @@ export type ChosenDesign = {
   choice: number;
   /** The front that it stands on. */
   front: FrontQuestion;
+};
+
+/** One layout of a search. */
+export type ChosenLayout = {
+  /** Number of its case. */
+  case: number;
+  /** What was searched. */
+  search: LayoutQuestion;
 };
 
 /** The smallest distance of a counterweight or web from an obstacle over all angles. */
@@ -848,6 +898,16 @@ export type Compared = {
   with: string | null;
 };
 
+/** Peaks over the cycle at the highest speed of the engine. */
+export type ComparedBalance = {
+  /** Largest resultant couple [N m]. */
+  couple: number;
+  /** Largest resultant force [N]. */
+  force: number;
+  /** How the crank is balanced. */
+  how: string;
+};
+
 /** Torque of gas and inertia at the speed of the comparison, and the flywheel for the lowest speed. */
 export type ComparedTorque = {
   /** Largest excess energy [J]. */
@@ -932,6 +992,19 @@ export type Consequences = {
   speed: number;
   /** [`CONSEQUENCES_VERSION`]. */
   version: number;
+};
+
+/** What one tolerance adds to the scatter. */
+export type Contribution = {
+  /** Its standard error: what other samples of the same number would change, about. */
+  error: number;
+  /**
+   * First-order index: share of the output's variance that would vanish if the deviations of this tolerance, one at a
+   * time, were known. Shares sum to 1 less what only several together do.
+   */
+  share: number;
+  /** Place of the tolerance in the request, from 0. */
+  tolerance: number;
 };
 
 /** What a weight costs if it is used, in whatever unit the file counts: nothing where it is not. */
@@ -1430,6 +1503,14 @@ export type DesignedCounterweight = {
   without_room?: number | null;
 };
 
+/** A deviation that is drawn. */
+export type Deviation = {
+  /** Index of the part; `None` for all parts together. */
+  part: number | null;
+  /** Place of its tolerance in the list, from 0. */
+  tolerance: number;
+};
+
 /** A weight. */
 export type DeviceSummary = {
   /** Direction at theta = 0 [rad]: of a counterweight in the frame of its crankshaft, of a shaft's weight in the engine's. */
@@ -1503,6 +1584,14 @@ export type Dimensions = {
   /** Radius of the web's disc, and half width of the rectangle [m]. */
   web_radius: number;
 };
+
+/** How a quantity is distributed within its tolerance; its mean is the nominal value. */
+export type Distribution = {
+  normal: {
+    /** Half width of the tolerance over the standard deviation; 3 where nothing else is known. */
+    sigmas: number;
+  };
+} | "uniform";
 
 /** Holes of which a free weight is one: it is what the hole removes, opposite to it, or what a slug in it adds. */
 export type DrillCatalogue = {
@@ -1779,6 +1868,9 @@ export type ExportQuestion = {
   weight: string | null;
 };
 
+/** For which parts a deviation is one. */
+export type Extent = "per-part" | "common";
+
 /** An extreme and where it is. */
 export type Extreme = {
   /** Crank angle [rad] of the first place that attains it, in one period. */
@@ -1966,6 +2058,28 @@ export type FoundInertia = {
   name: string;
   /** The share of the crank train's roll moment that is left with it. */
   roll_share: number;
+};
+
+/** Layouts of a space that no other one beats in all objectives. */
+export type FoundLayouts = {
+  /** Layouts of the front that are better than the engine in some objective, and in none worse. */
+  beaten_by: number[];
+  /** Why nothing is on the front. */
+  empty: string | null;
+  /** Layout of the front with the objectives of the engine. */
+  equals: number | null;
+  /** The front by its first objective, up to 2000 of them. */
+  front: LayoutRow[];
+  /** What the layouts are judged by. */
+  objectives: LayoutObjective[];
+  /** Layouts on the front. */
+  on_front: number;
+  /** Objectives of the engine of the file; `null` where it does not tell. */
+  own: Array<number | null>;
+  /** Objectives of some of the judged layouts, evenly from all of them, in SI units. */
+  sample: number[][];
+  /** Space, what became of its cases, and notes, in words. */
+  words: string;
 };
 
 /** A limit of the answer. */
@@ -2463,6 +2577,78 @@ export type KeyTable = {
   path: string;
 };
 
+/** The largest value of an objective. */
+export type LayoutLimit = {
+  /** The largest value, in SI units. */
+  most: number;
+  /** Its name, as `--minimise` takes it. */
+  objective: string;
+};
+
+/** An objective of a search. */
+export type LayoutObjective = {
+  /** Its name. */
+  name: string;
+  /** Its SI unit, empty for a plain number. */
+  unit: string;
+};
+
+/** Which layouts, and what they are judged by. What is left out is as in the file. */
+export type LayoutQuestion = {
+  /** Angles between two banks [rad]. */
+  bank_angles: number[] | null;
+  /** Weights on the webs; those of the file where there are none. */
+  counterweights: WebWeights[];
+  /** Number of cylinders. */
+  cylinders: number | null;
+  /** Only layouts that fire evenly. */
+  even_firing: boolean;
+  /** One bank, whatever the engine has. */
+  in_line: boolean;
+  /** Largest values of objectives. */
+  limits: LayoutLimit[];
+  /** Objectives by their names, as `--minimise` takes them; the usual ones where there are none. */
+  minimise: string[];
+  /** Speed of the crankshaft [rad/s]; the highest of the engine where it is left out. */
+  speed: number | null;
+  /** How far the pin of bank 2 stands ahead of that of bank 1 [rad]. */
+  split_angles: number[] | null;
+  /** The engine file. */
+  text: string;
+  /** Equal parts of a turn at which throws may stand; usually 12, or as many as even firing needs. */
+  throw_parts: number | null;
+  /** Leave the firing orders out. */
+  without_firing: boolean;
+};
+
+/** A layout of the front. */
+export type LayoutRow = {
+  /** Cases with equal objectives, this one included. */
+  alike: number;
+  /** Number of its case. */
+  case: number;
+  /** Weights on the webs. */
+  counterweights: string;
+  /** Cylinders as they fire; `null` where firing is left out. */
+  firing_order: number[] | null;
+  /** Cylinders and banks in words. */
+  name: string;
+  /** Its number on the front, from 1. */
+  number: number;
+  /** Angle of each throw from the first [rad]. */
+  throws: number[];
+  /** Objectives in SI units; what is rounding of the masses' loads is 0. */
+  values: number[];
+};
+
+/** A search, and how far it has come. */
+export type LayoutTurn = {
+  /** What is searched. */
+  search: LayoutQuestion;
+  /** Where the turn before ended; nothing for the first one. */
+  so_far: SoFar | null;
+};
+
 /** The order that most of a load is. */
 export type Leading = {
   /** Share of it that turns with the crank, from 0 to 1. */
@@ -2494,6 +2680,22 @@ export type Limit = {
 
 /** On which side of its value a limit lies. */
 export type LimitSide = "at-most" | "at-least" | "given";
+
+/** A limit, and whether the production keeps it. */
+export type LimitVerdict = {
+  /** Samples beyond the limit. */
+  beyond: number;
+  /** `(limit - mean) / (3 standard deviations)`: for a normal distribution. */
+  cpk: number;
+  /** `(limit - median) / (99.865 % percentile - median)`: for any distribution (ISO 22514-2). */
+  cpk_by_percentiles: number;
+  /** Whether the capability by percentiles is the wanted one; without any scatter whether the engine keeps the limit. */
+  is_met: boolean;
+  /** The limit. */
+  limit: number;
+  /** On what. */
+  output: Output;
+};
 
 /** What a limit is about. */
 export type LimitedQuantity = "twist" | "stress";
@@ -2630,6 +2832,53 @@ export type Method = {
   nodes: number;
   /** Cone programmes solved. */
   solves: number;
+};
+
+/** A published method. */
+export type MethodKind = {
+  of: "matrix";
+} | {
+  of: "half";
+} | {
+  of: "share";
+} | {
+  of: "sweep";
+} | {
+  /** Its number in the thesis. */
+  number: number;
+  of: "arrangement";
+} | {
+  of: "arrangements";
+};
+
+/** Largest load over the cycle at the highest speed, force [N] or couple [N m]. */
+export type MethodLoad = {
+  /** With the sizes of the method. */
+  method: number;
+  /** With the proved optimum of the same devices: force first, then couple; of the sweep the load that it sweeps for. */
+  optimum: number | null;
+};
+
+/** What a method leaves. */
+export type MethodLoads = {
+  /** Couple [N m]. */
+  couple: MethodLoad;
+  /** Force [N]. */
+  force: MethodLoad;
+};
+
+/** A published method for an engine. */
+export type MethodResult = {
+  /** Which. */
+  kind: MethodKind;
+  /** What it leaves. */
+  left: MethodLoads | null;
+  /** Its name. */
+  name: string;
+  /** Why it cannot be used for this engine. */
+  refused: string | null;
+  /** Where it was published. */
+  source: string;
 };
 
 /** An inertia that is not known. */
@@ -2959,6 +3208,33 @@ export type Outcome = {
   reason: string;
 };
 
+/** A residual load whose scatter is asked for: a size, 0 being best. */
+export type Output = {
+  force: {
+    /** Order. */
+    order: number;
+  };
+} | {
+  couple: {
+    /** Order. */
+    order: number;
+  };
+} | {
+  "force-sense": {
+    /** Order. */
+    order: number;
+    /** Sense. */
+    sense: Sense2;
+  };
+} | {
+  "couple-sense": {
+    /** Order. */
+    order: number;
+    /** Sense. */
+    sense: Sense2;
+  };
+} | "peak-force" | "peak-couple";
+
 /** An output over all ranges. */
 export type OutputRange = {
   /** With each input at its lower and at its upper end, in the order of the inputs; `null` if no engine is there. */
@@ -2969,6 +3245,32 @@ export type OutputRange = {
   nominal: number;
   /** Its SI unit. */
   unit: string;
+};
+
+/** Scatter of one output. */
+export type OutputScatter = {
+  /** Against its limits, in the order of the request. */
+  capabilities: Capability[];
+  /** Which tolerance the scatter comes from, in the order of the request. */
+  contributions: Contribution[];
+  /** Standard deviation. */
+  deviation: number;
+  /** Smallest of the samples. */
+  least: number;
+  /** Mean. */
+  mean: number;
+  /** Largest of the samples. */
+  most: number;
+  /** Number of the sample that has it, from 0. */
+  most_sample: number;
+  /** Of the nominal engine. */
+  nominal: number;
+  /** Which. */
+  output: Output;
+  /** Largest relative error of the percentiles: 0 where all samples were kept. */
+  percentile_error: number;
+  /** Percentiles in the order of the request. */
+  percentiles: Percentile[];
 };
 
 /** Two bodies that overlap. */
@@ -3025,6 +3327,14 @@ export type Peaks = {
   roll_moment: Extremes;
   /** Shaft torque. */
   shaft_torque: Extremes;
+};
+
+/** A percentile. */
+export type Percentile = {
+  /** Share of the samples, from 0 to 1. */
+  share: number;
+  /** What this share does not exceed. */
+  value: number;
 };
 
 /** Direction of a free weight at `theta = 0`. */
@@ -3157,6 +3467,16 @@ export type Price = {
   weights: number;
 };
 
+/** What a command prints. */
+export type PrintedPart = {
+  /** Whether it is the answer, or the reason. */
+  answered: boolean;
+  /** The command. */
+  command: string;
+  /** Its text, or why there is none. */
+  text: string;
+};
+
 /** Why there is no answer: what was needed, what was got, and what to do. */
 export type Problem = {
   /** The mistakes of the engine file, where they are the reason; places in UTF-16 units. */
@@ -3167,6 +3487,16 @@ export type Problem = {
   hint: string | null;
   /** What was needed and what was got. */
   message: string;
+};
+
+/** What published methods leave of the loads of an engine, at its highest speed. */
+export type PublishedAnswer = {
+  /** The methods. */
+  methods: MethodResult[];
+  /** The engine as it is. */
+  own: MethodLoads;
+  /** Speed of crankshaft 1 [rad/s]. */
+  speed: number;
 };
 
 /** Whether a finding is about the force, the couple or the roll moment. */
@@ -3271,6 +3601,94 @@ export type SaveFile = {
   text: string;
 };
 
+/** Scatter of all outputs. */
+export type Scatter = {
+  /** By output, in the order of the request. */
+  outputs: OutputScatter[];
+  /** Samples drawn. */
+  samples: number;
+  /** Seed. */
+  seed: number;
+  /** Deviations drawn for each sample. */
+  variables: number;
+  /** [`SCATTER_VERSION`]. */
+  version: number;
+};
+
+/** Production scatter of an engine. */
+export type ScatterFound = {
+  /** Names of the outputs, in their order, and their SI units. */
+  outputs: ScatterOutput[];
+  /** As `lanchester scatter --format json` prints it. */
+  study: ScatterStudy;
+  /** What to tighten first, output by output. */
+  tighten: string[];
+  /** Tolerances in words, in their order. */
+  tolerances: string[];
+};
+
+/** An output of the scatter. */
+export type ScatterOutput = {
+  /** Its name. */
+  name: string;
+  /** Its SI unit. */
+  unit: string;
+};
+
+/** An engine with tolerances, and what is drawn. */
+export type ScatterQuestion = {
+  /** Capability with which a limit is met; 1.33 where it is left out. */
+  capability: number | null;
+  /** Limits as `--limit` takes them. */
+  limits: string[];
+  /** Leave the peaks over all orders out, which is faster. */
+  orders_only: boolean;
+  /** Engines that are drawn. */
+  samples: number;
+  /** Seed of the draws. */
+  seed: number;
+  /** Where the turn before ended; nothing for the first one. */
+  so_far: SoFar | null;
+  /** Speed of the crankshaft [rad/s]; the highest of the engine where it is left out. */
+  speed: number | null;
+  /** The engine file. */
+  text: string;
+};
+
+/** Scatter of an engine by the tolerances of its file. */
+export type ScatterStudy = {
+  /** Capability that is wanted. */
+  capability: number;
+  /** Deviations drawn for each sample, in the order of those of the worst cases. */
+  deviations: Deviation[];
+  /** Name of the engine. */
+  engine: string;
+  /** The limits. */
+  limits: LimitVerdict[];
+  /** The samples: percentiles of 0 to 100 % in steps of half a percent, then those of [`TOLD_SHARES`]. */
+  scatter: Scatter;
+  /** Speed of the crankshaft [rad/s]. */
+  speed: number;
+  /** What halving each tolerance alone would do, with the same draws. */
+  tightened: Tightened[];
+  /** Its tolerances. */
+  tolerances: Tolerance[];
+  /** [`SCATTER_STUDY_VERSION`]. */
+  version: number;
+  /** The worst case of each output. */
+  worst_cases: WorstCase[];
+};
+
+/** A turn of the draws, with the answer where it was the last one. */
+export type ScatterTurn = {
+  /** Share of the study that is done, 0 to 1. */
+  done: number;
+  /** What was found. */
+  found: ScatterFound | null;
+  /** Where the next turn goes on. */
+  so_far: SoFar;
+};
+
 /** The solids of an engine and how they move. */
 export type Scene = {
   /** Shapes, each of one part or of several. */
@@ -3367,6 +3785,30 @@ export type ScenePart = {
   weight: number | null;
 };
 
+/** How large a search is. */
+export type SearchSize = {
+  /** Cases. */
+  cases: number;
+  /** What varies, and in how many values. */
+  choices: VariedChoice[];
+  /** What it is judged by, by name. */
+  minimise: string[];
+  /** What was assumed. */
+  notes: string[];
+  /** How long the search takes [s], from a small part of it. */
+  seconds: number;
+};
+
+/** A turn of a search, with the answer where it was the last one. */
+export type SearchTurn = {
+  /** Share of the study that is done, 0 to 1. */
+  done: number;
+  /** What was found in the whole space. */
+  found: FoundLayouts | null;
+  /** Where the next turn goes on. */
+  so_far: SoFar;
+};
+
 /** What a free weight sits on. */
 export type Seat = {
   crankshaft: number;
@@ -3379,6 +3821,9 @@ export type SectionKind = "journal" | "pin" | "web" | "counterweight";
 
 /** Which way a load turns. */
 export type Sense = "forward" | "backward" | "none";
+
+/** Which way a load turns. */
+export type Sense2 = "forward" | "backward";
 
 /** Loads with each number of the engine at either end of a range. */
 export type SensitivityAnswer = {
@@ -3540,6 +3985,20 @@ export type SharedWithWeb = {
   unbalance: number;
 };
 
+/** Bobweights of a sheet. */
+export type SheetBobweights = {
+  /** The engine with these parts, its crank balanced in different ways. */
+  comparison: BobweightComparison | null;
+  /** Whether the sheet gives it; else it leaves the smallest first order. */
+  given: boolean;
+  /** What a derived share leaves least of; none where none was derived. */
+  judged_by: string | null;
+  /** Pin by pin. */
+  pins: Bobweight[];
+  /** Share of the reciprocating masses. */
+  share: number;
+};
+
 /** How the flank between rectangle and arc is given. */
 export type Shoulder = {
   Angle: Range;
@@ -3645,6 +4104,14 @@ export type Smallest = {
   body: string;
   /** The clearance. */
   clearance: Clearance;
+};
+
+/** How far a study has come; whoever asks hands it back unchanged. */
+export type SoFar = {
+  /** Blocks that are done. */
+  blocks: number;
+  /** What is kept of them. */
+  kept: string;
 };
 
 /** The arrangements at one cylinder spacing. */
@@ -3860,6 +4327,26 @@ export type Tie = {
   mirrored: boolean;
   /** Index of the weight that follows it. */
   second: number;
+};
+
+/** What halving one tolerance would do. */
+export type Tightened = {
+  /** Share by which the value that 99.73 % of the engines do not exceed becomes smaller, by output. */
+  gains: number[];
+  /** Place of the tolerance in the list, from 0. */
+  tolerance: number;
+};
+
+/** A tolerance: one entry of the engine file's `[tolerances]`. */
+export type Tolerance = {
+  /** How it is distributed. */
+  distribution: Distribution;
+  /** For which parts together. */
+  extent: Extent;
+  /** The nominal value may be missed by this either way, in the quantity's SI unit. */
+  half_width: number;
+  /** What varies. */
+  quantity: Varied;
 };
 
 /**
@@ -4148,6 +4635,17 @@ export type Unmeasured = {
   remedy: string;
 };
 
+/** A quantity of the engine that varies. */
+export type Varied = "piston-mass" | "big-end-mass" | "small-end-mass" | "rod-centre" | "rod-length" | "crank-radius" | "throw-angle" | "throw-unbalance" | "offset" | "cylinder-plane" | "cylinder-angle" | "counterweight-unbalance" | "counterweight-angle" | "shaft-unbalance" | "shaft-phase";
+
+/** A choice of a search with more than one value. */
+export type VariedChoice = {
+  /** Its name. */
+  name: string;
+  /** Number of its values. */
+  values: number;
+};
+
 /** A number of the engine that varies. */
 export type VariedNumber = {
   /** What it is. */
@@ -4175,10 +4673,51 @@ export type WebBound = {
   web: number;
 };
 
+/** Weights on the webs of a layout. */
+export type WebWeights = "own" | "none" | "full" | "half";
+
 /** What other weights do to an engine. */
 export type WeightEffect = {
   /** Loads, bending, counterweights and balance rates, before and after. */
   consequences: Consequences;
   /** What gets worse and which counterweights are dropped, in words; may be empty. */
   words: string;
+};
+
+/** What a workshop sheet says of its crank. */
+export type WorkshopAnswer = {
+  /** Bobweights, where the sheet has weighed parts. */
+  bobweights: SheetBobweights | null;
+  /** What the commands of the workshop print, for all that the sheet has data for. */
+  printed: PrintedPart[];
+  /** Mistakes that leave an answer, in words. */
+  warnings: string[];
+};
+
+/** A workshop sheet, and the engine that it is about. */
+export type WorkshopQuestion = {
+  /** The workshop sheet. */
+  sheet: string;
+  /** The engine file in the place of the one that the sheet names; none: the parts alone. */
+  text: string | null;
+};
+
+/** The worst case of one output. */
+export type WorstCase = {
+  /**
+   * What the deviations of `deviations` reach: a corner of the tolerances of which no single deviation can be
+   * turned to its other end with gain. The worst case lies between this and `bound`.
+   */
+  attained: number;
+  /**
+   * A loose upper bound: no engine within the tolerances exceeds this. It is the nominal value and all that every part may be off, in whatever
+   * direction, so that it is far from `attained` where the parts cannot all push one way.
+   */
+  bound: number;
+  /** Deviation of every variable, tolerance by tolerance and part by part, in SI units. */
+  deviations: number[];
+  /** Of the nominal engine. */
+  nominal: number;
+  /** Which. */
+  output: Output;
 };

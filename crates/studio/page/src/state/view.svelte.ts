@@ -9,6 +9,7 @@ export const TABS = [
   "counterweight",
   "results",
   "simulate",
+  "studies",
   "compare",
   "bondgraph",
 ] as const;

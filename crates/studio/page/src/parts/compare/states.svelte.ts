@@ -61,7 +61,11 @@ class States {
 
   /** The state being worked on, kept beside what comes. */
   pin() {
-    const name = engine.reading?.engine?.name ?? engine.untitled;
+    this.keep(engine.reading?.engine?.name ?? engine.untitled, engine.valid);
+  }
+
+  /** A text beside the state being worked on; under which name, which none has yet. */
+  keep(name: string, text: string): string {
     const own = another(
       name,
       view.pins.map((pin) => pin.name),
@@ -70,7 +74,8 @@ class States {
     // The first colour is that of the current state.
     let colour = 2;
     while (taken.includes(colour) && colour < COLOURS) colour += 1;
-    view.pins = [...view.pins, { name: own, text: engine.valid, colour }];
+    view.pins = [...view.pins, { name: own, text, colour }];
+    return own;
   }
 
   rename(pin: Pin, name: string) {
