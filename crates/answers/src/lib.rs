@@ -8,6 +8,7 @@
 
 mod api;
 mod asker;
+mod base64;
 mod files;
 mod openapi;
 mod problem;

@@ -12,6 +12,7 @@ pub(crate) mod sensitivity;
 pub(crate) mod session;
 pub(crate) mod shape_preview;
 pub(crate) mod simulation;
+pub(crate) mod stress;
 pub(crate) mod studies;
 pub(crate) mod summary;
 pub(crate) mod torsion;
@@ -26,6 +27,7 @@ pub(crate) fn all() -> Api {
         reading::questions,
         results::questions,
         torsion::questions,
+        stress::questions,
         sensitivity::questions,
         simulation::questions,
         studies::questions,

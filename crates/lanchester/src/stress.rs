@@ -15,7 +15,9 @@ pub(crate) mod rule;
 pub(crate) mod rule_torsion;
 pub(crate) mod run;
 pub(crate) mod submodel;
+pub(crate) mod surface;
 pub(crate) mod throws;
+pub(crate) mod unit_fields;
 
 pub use converge::{converged_modes, converged_stress};
 pub use cycle::{CycleRequest, CycleStage, crank_cycle};
@@ -32,4 +34,8 @@ pub use request::{
 pub use rule::{CrankRuleError, RuleRequest, crank_rule};
 pub use rule_torsion::{RuleTorsionError, crank_rule_with_torsion};
 pub use run::{crank_modes, static_stress};
+pub use surface::{
+    FilletCycle, FilletPeak, SurfacePlan, SurfaceRequest, SurfaceStress, WorstCase, surface_plan, surface_stress,
+};
 pub use throws::throw_stiffnesses;
+pub use unit_fields::NodeField;

@@ -257,6 +257,9 @@ pub enum StressError {
         /// How many there may be.
         most: usize,
     },
+    /// Nobody waits for the answer any more.
+    #[error("the computation was cancelled")]
+    Cancelled,
     /// A crankshaft or pin that is not there.
     #[error("{what} {number} is needed, the engine has {there}\nhint: numbers count from 1")]
     Missing {

@@ -84,7 +84,7 @@ pub struct StressMaterial {
 
 impl CrankSheet {
     /// Lines on mesh, material and what is left out.
-    pub(crate) fn words(&self) -> Vec<String> {
+    pub fn words(&self) -> Vec<String> {
         let quality = &self.crank.quality;
         let [tetrahedra, wedges, hexahedra] = quality.elements;
         let kinds = [(tetrahedra, "tetrahedra"), (wedges, "wedges"), (hexahedra, "hexahedra")];

@@ -93,6 +93,28 @@ for (const theme of THEMES) {
     });
   });
 
+  test.describe(`stress, ${theme}`, () => {
+    test.use({
+      colorScheme: theme,
+      example: "single-gas.toml",
+      viewport: { width: 1280, height: 1000 },
+    });
+
+    test("the crankshaft by finite elements", async ({ page, studio }) => {
+      await start(page, studio.address, theme);
+      await tab(page, "results");
+      await page.getByRole("navigation").getByRole("button", { name: "Stress", exact: true }).click();
+      await page.getByRole("button", { name: "Insert typical values" }).click();
+      await page.getByLabel("Elements across a fillet").selectOption("2");
+      await page.getByLabel("Size of elements").fill("14");
+      await page.getByRole("button", { name: "Compute", exact: true }).click();
+      const surface = page.getByRole("region", { name: "Stress on the surface" });
+      await expect(surface).toBeVisible({ timeout: 240_000 });
+      await into(surface);
+      await draw(page, `stress-${theme}`);
+    });
+  });
+
   test.describe(`results, ${theme}`, () => {
     test.use({ colorScheme: theme, example: "in-line-4-mounts.toml" });
 

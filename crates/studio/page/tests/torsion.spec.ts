@@ -1,7 +1,7 @@
-// Torsional vibration on the Results tab: its pictures, a damper that is tried out, tuned and adopted.
+// The crankshaft as it yields, on the Results tab: torsional vibration with a damper that is tried out, tuned and adopted; stress and modes by finite elements.
 
 import type { Page } from "@playwright/test";
-import type { TorsionAnswer } from "../src/api/types";
+import type { StressAnswer, TorsionAnswer } from "../src/api/types";
 import { expect, test, type Studio } from "./server";
 
 async function open(page: Page, studio: Studio) {
@@ -64,5 +64,65 @@ test.describe("an engine without a crankshaft by sizes", () => {
     await open(page, studio);
     await expect(page.getByRole("heading", { name: "There is no torsional vibration yet" })).toBeVisible();
     await expect(page.getByRole("button", { name: "Add it on the Engine tab" })).toBeVisible();
+  });
+});
+
+test.describe("a crankshaft by finite elements", () => {
+  test.use({ example: "single-gas.toml" });
+
+  test("stress over the cycle, its fillets, and modes", { tag: "@server" }, async ({ studio, page }) => {
+    test.setTimeout(240_000);
+    await page.goto(studio.address);
+    await page.getByRole("tab", { name: "Results" }).click();
+    await page
+      .getByRole("navigation", { name: "Kinds of results" })
+      .getByRole("button", { name: "Stress", exact: true })
+      .click();
+    await expect(page.getByRole("heading", { name: "The crankshaft has no shape yet" })).toBeVisible();
+    await page.getByRole("button", { name: "Insert typical values" }).click();
+
+    const compute = page.getByRole("button", { name: "Compute", exact: true });
+    await page.getByLabel("Elements across a fillet").selectOption("2");
+    await page.getByLabel("Size of elements").fill("30");
+    await compute.click();
+    await expect(page.getByRole("button", { name: "Stop", exact: true })).toBeVisible();
+    const fillets = page.getByRole("region", { name: "Largest stress of every fillet over the cycle" });
+    await expect(fillets.getByRole("row")).toHaveCount(5, { timeout: 120_000 });
+
+    // The numbers are those of the program, and the picture's largest fillet has the highest one at its angle.
+    await page.keyboard.press("Control+s");
+    const response = await page.request.post(new URL("/api/stress", studio.address).href, {
+      headers: { "X-Lanchester-Token": studio.token },
+      data: { text: await studio.read(), fillet_elements: 2, size: 0.03 },
+      timeout: 120_000,
+    });
+    const found = (await response.json()) as StressAnswer;
+    const most = Math.max(...found.fillets.map((own) => own.stress?.von_mises ?? 0)) / 1e6;
+    await expect(fillets.getByRole("row").nth(1)).toContainText(most.toPrecision(4));
+    const surface = page.getByRole("region", { name: "Stress on the surface" });
+    const said = surface.getByText(/^Largest in a fillet/);
+    await expect(said).toContainText(`${most.toPrecision(3)} MPa`);
+
+    await surface.getByRole("button", { name: "One degree on" }).click();
+    await surface.getByRole("group", { name: "Crank angle" }).getByRole("slider").first().fill("90");
+    await expect(said).not.toContainText(`${most.toPrecision(3)} MPa`);
+    const last = fillets.getByRole("row").nth(4).getByRole("button");
+    const name = (await last.textContent()) ?? "";
+    await last.click();
+    const theta = found.fillets.find((own) => own.name === name)?.theta ?? 0;
+    await expect(surface.getByRole("group", { name: "Crank angle" })).toContainText(
+      `${((theta * 180) / Math.PI).toFixed(1)}°`,
+    );
+    await expect(said).toContainText(name);
+
+    await page.getByRole("radio", { name: "Natural modes" }).check({ force: true });
+    await compute.click();
+    const modes = page.getByRole("region", { name: "Natural frequencies" });
+    await expect(modes.getByRole("row")).toHaveCount(11, { timeout: 120_000 });
+    await modes.getByRole("button", { name: "mode 2" }).click();
+    const mode = page.getByRole("region", { name: "Natural mode", exact: true });
+    await expect(mode.getByRole("heading")).toContainText("Mode 2");
+    await mode.getByRole("button", { name: "Animate" }).click();
+    await expect(mode.getByRole("button", { name: "Stop" })).toBeVisible();
   });
 });

@@ -436,8 +436,8 @@ export type BearingFilm = {
   shell_angle?: number[];
   /** Temperature of the film [K], where that of supply is known: the balance was repeated until it changed by 0.1 K. */
   temperature: number | null;
-  /** Rise of temperature through the film [K]. */
-  temperature_rise: number;
+  /** Rise of temperature through the film [K]; `None` where no flow takes the heat away, as in full films, or the rise is more than 1000 K. */
+  temperature_rise: number | null;
   /** Viscosity of the film [Pa s]. */
   viscosity: number;
 };
@@ -1917,6 +1917,19 @@ export type FileState = {
   text: string;
 };
 
+/** A fillet over the cycle. */
+export type FilletAnswer = {
+  /** Largest von Mises stress at each crank angle [Pa]; empty of a sharp corner, whose stress is no number. */
+  curve: number[];
+  name: string;
+  /** Radius [m]; 0 of a sharp corner. */
+  radius: number;
+  /** The largest, solved directly. */
+  stress: PeakStress | null;
+  /** Crank angle of the largest [rad]. */
+  theta: number | null;
+};
+
 /** The orbit over one period, and what the film does on it. */
 export type FilmOrbit = {
   /** Largest change from the last period but one, over the clearance. */
@@ -2896,6 +2909,35 @@ export type Mode = {
   shape: number[];
 };
 
+/** A natural mode. */
+export type ModeAnswer = {
+  /** A round factor by which it becomes visible. */
+  factor: number;
+  /** [Hz]. */
+  frequency: number;
+  kind: ModeKind;
+  /** `|K x - l M x|/|K x|`. */
+  residual: number;
+  /** Displacement x, y, z, of modal mass 1 kg. */
+  shape: PackedField;
+  /** Shares of the kinetic energy: in the plane of throw 1, across it, turning, along the axis. */
+  shares: [number, number, number, number];
+};
+
+/** What mainly moves in a mode. */
+export type ModeKind = "rigid" | "bending-x" | "bending-y" | "torsion" | "axial" | "mixed";
+
+/** Natural modes on the surface of a crankshaft. */
+export type ModesAnswer = {
+  modes: ModeAnswer[];
+  /** Mesh and material, in words. */
+  notes: string[];
+  /** What holds it, in words. */
+  support: string;
+  surface: SurfaceShape;
+  unknowns: number;
+};
+
 /** Motion of a piston and its rod over the crank angle, at the angles of the loads' [`Trace`]. */
 export type MotionTrace = {
   /** Acceleration of the piston away from the crankshaft [m/s^2], of the kinematics asked for. */
@@ -3288,6 +3330,12 @@ export type Overlap = {
   depth_bound: number;
 };
 
+/** Values at all nodes of a surface, component after component: signed 16-bit numbers, each times the scale of its component. */
+export type PackedField = {
+  scales: number[];
+  values: string;
+};
+
 /** Which moving parts a load comes from. */
 export type Part = "rotating" | "reciprocating" | "rod-inertia" | "counterweights" | "shafts";
 
@@ -3307,6 +3355,23 @@ export type Peak = {
   value: number;
   /** Its plane [m], from the origin; a shear force acts just behind it. The first that attains it. */
   z: number;
+};
+
+/** The largest stress of a surface. */
+export type PeakStress = {
+  /** Angle about the bar's middle, from the x axis of the crankshaft's frame [rad]. */
+  angle: number;
+  /** Place [m]. */
+  at: [number, number, number];
+  /**
+   * Largest jump of the stress between elements over the stress, at the nodes of the same surface of all elements that meet there: a sign of
+   * the error.
+   */
+  jump: number;
+  /** Principal stress of the largest size there [Pa], tension positive. */
+  principal: number;
+  /** Largest von Mises stress [Pa]. */
+  von_mises: number;
 };
 
 /** Extremes of every quantity of a [`LoadSet`]. */
@@ -3436,6 +3501,9 @@ export type PowerCurve = {
   /** Points that it fits: speed [rad/s] and power [W]. */
   points: Array<[number, number]>;
 };
+
+/** How many digits a factor carries. */
+export type Precision = "single" | "double";
 
 /** What an arrangement costs. */
 export type Price = {
@@ -4114,6 +4182,26 @@ export type SoFar = {
   kept: string;
 };
 
+/** How a system was solved. */
+export type SolveReport = {
+  /** Bytes of matrix and factor. */
+  bytes: number;
+  /** Entries of the factor. */
+  factor_entries: number;
+  /** Floating-point operations of the factor. */
+  factor_operations: number;
+  /** Largest number of iterations of a load case. */
+  iterations: number;
+  /** Entries of the lower triangle of the matrix. */
+  nonzeros: number;
+  /** Precision of the factor. */
+  precision: Precision;
+  /** Largest `|K u - f|/|f|` of a load case. */
+  residual: number;
+  /** Unknowns. */
+  unknowns: number;
+};
+
 /** The arrangements at one cylinder spacing. */
 export type SpacingArrangements = {
   /** All that were examined, by rising number of shafts. */
@@ -4247,6 +4335,71 @@ export type StoppedEngine = {
   version: number;
 };
 
+/** Stress of the surface of a crankshaft over the cycle. Displacement and stress at a crank angle are the sum of all fields, each with its weight there. */
+export type StressAnswer = {
+  /** Largest displacement there [m]. */
+  displacement: number;
+  /** Elastic energy there [J]. */
+  energy: number;
+  /** A round factor by which displacements become visible. */
+  factor: number;
+  /** Displacement x, y, z [m] and stress xx, yy, zz, xy, yz, zx [Pa] under unit loads. */
+  fields: PackedField[];
+  /** For each node of the surface the number of its fillet from 1, or 0: unsigned 16-bit numbers. */
+  fillet_of: string;
+  fillets: FilletAnswer[];
+  /** Where the pressures come from, in words; `null` where no gas acts. */
+  gas: string | null;
+  /** Mesh, material, loads, superposition, in words. */
+  notes: string[];
+  solve: SolveReport;
+  /** Speed of crankshaft 1 [rad/s]. */
+  speed: number;
+  /** What holds it, in words. */
+  support: string;
+  surface: SurfaceShape;
+  /** Crank angles over the cycle [rad]. */
+  theta: number[];
+  /** By crank angle the weight of each field. */
+  weights: number[][];
+  /** Crank angle at which a fillet is stressed most of all [rad]. */
+  worst_theta: number;
+  /** Yield strength [Pa], where the material has one. */
+  yield_strength: number | null;
+};
+
+/** What an answer will cost. */
+export type StressPlan = {
+  /** Bytes of matrix and factor. */
+  bytes: number;
+  /** Load cases. */
+  cases: number;
+  nodes: number;
+  /** Some time that it takes here [s]. */
+  seconds: number;
+  unknowns: number;
+};
+
+/** A crankshaft, how fine it is meshed, what holds it, and its speed. */
+export type StressQuestion = {
+  /** Number of the crankshaft, from 1; none: 1. */
+  crankshaft: number | null;
+  /** Elements across the 90 degrees of a fillet, as `--fillet-elements`. */
+  fillet_elements: number | null;
+  /** Whether the gas of the file is left out. */
+  inertia_only: boolean;
+  /** Size of the elements away from fillets [m], as `--size`; none: that of the file, else 8 mm. */
+  size: number | null;
+  /** Speed of crankshaft 1 [rad/s]; none: the highest of the engine. */
+  speed: number | null;
+  /** With springs: stiffness at each journal in both directions [N/m]. */
+  stiffness: number | null;
+  /** What holds it; none: its journals, for modes nothing. */
+  support: Support | null;
+  /** The engine file. */
+  text: string;
+};
+
 /** A stroke of the working cycle. */
 export type StrokeKind = "power" | "exhaust" | "intake" | "compression";
 
@@ -4262,6 +4415,17 @@ export type StrokeSpan = {
 
 /** Strokes in a working cycle. */
 export type Strokes = "two" | "four";
+
+/** Supports whose solutions can be added up. */
+export type Support = "clamped-ends" | "journals" | "springs" | "free";
+
+/** A surface of triangles, in the frame of the crankshaft. */
+export type SurfaceShape = {
+  /** x, y, z of each node [m]: 32-bit floats. */
+  nodes: string;
+  /** Three nodes of each triangle, seen from outside against the clock: unsigned 32-bit numbers. */
+  triangles: string;
+};
 
 /** Two swept circles that overlap in a plane across the crank: whether what turns in them meets depends on their phases. */
 export type SweptOverlap = {
@@ -4431,6 +4595,8 @@ export type TorqueReport = {
    * speed of the engine.
    */
   flywheel: FlywheelNeed | null;
+  /** Whether torques over the angle of the file act besides: in `ripples` and `flywheel`, not in `torque`, `speeds` and `power`. */
+  is_driven_besides: boolean;
   /** Power over speed, at the brake where friction is known, else net indicated. */
   power: PowerCurve | null;
   /**

@@ -11,6 +11,7 @@ export const SECTIONS = [
   ["mounts", "Mounts"],
   ["torsion", "Torsional vibration"],
   ["crankshaft", "Inside the crankshaft"],
+  ["stress", "Stress"],
   ["sensitivity", "What matters most"],
 ] as const;
 export type Section = (typeof SECTIONS)[number][0];
