@@ -35,7 +35,8 @@ pub use rule::{CrankRuleError, RuleRequest, crank_rule};
 pub use rule_torsion::{RuleTorsionError, crank_rule_with_torsion};
 pub use run::{crank_modes, static_stress};
 pub use surface::{
-    FilletCycle, FilletPeak, SurfacePlan, SurfaceRequest, SurfaceStress, WorstCase, surface_plan, surface_stress,
+    FilletCycle, FilletPeak, SurfacePlan, SurfaceRequest, SurfaceStress, WorstCase, surface_plan,
+    surface_stress,
 };
 pub use throws::throw_stiffnesses;
 pub use unit_fields::NodeField;

@@ -423,9 +423,10 @@ mod tests {
     /// Equivalent stress of the nodes of a fillet at an instant, from the numbers as they are packed.
     fn largest(found: &SurfaceStress, fillet: usize, instant: usize) -> f64 {
         let of = |node: &u32| {
-            let sum = found.fields.iter().zip(&found.weights[instant]).fold([0.0; 6], |sum, (field, weight)| {
-                std::array::from_fn(|k| sum[k] + weight * f64::from(field[*node as usize][3 + k]))
-            });
+            let sum =
+                found.fields.iter().zip(&found.weights[instant]).fold([0.0; 6], |sum, (field, weight)| {
+                    std::array::from_fn(|k| sum[k] + weight * f64::from(field[*node as usize][3 + k]))
+                });
             lanchester::flex::element::Stress(sum).von_mises()
         };
         found.fillets[fillet].nodes.iter().map(of).fold(0.0, f64::max)
@@ -482,6 +483,9 @@ mod tests {
         let field = [[1.0f32, -2e-6], [-0.5, 1e-6]];
         let packed = packed(&field);
         assert_eq!(packed.scales.len(), 2);
-        assert_eq!(packed.values, base64([32767i16, -16384, -32767, 16384].into_iter().flat_map(i16::to_le_bytes)));
+        assert_eq!(
+            packed.values,
+            base64([32767i16, -16384, -32767, 16384].into_iter().flat_map(i16::to_le_bytes))
+        );
     }
 }

@@ -1,7 +1,8 @@
-//! Sparse Cholesky factors, in single or double precision: the only user of faer.
+//! Sparse Cholesky factors, in single or double precision: with their numbers (`real`) the only user of faer.
 
 use super::SymmetricMatrix;
 use super::halves::Halves;
+use super::real::Real;
 use super::substitution::{Supernode, substitute};
 use crate::FlexError;
 use faer::dyn_stack::{MemBuffer, MemStack};
@@ -14,7 +15,6 @@ use faer::sparse::linalg::cholesky::{
     factorize_symbolic_cholesky, supernodal::SymbolicSupernodalCholesky,
 };
 use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
-use faer::traits::RealField;
 use faer::{Accum, Mat, Par, Side};
 use serde::Serialize;
 use std::sync::Arc;
@@ -207,42 +207,6 @@ fn operations(factor: &SymbolicSupernodalCholesky<u32>) -> f64 {
                 + (columns - 1.0) * columns * (2.0 * columns - 1.0) / 6.0
         })
         .sum()
-}
-
-/// Numbers that a factor may be made of.
-pub trait Real: RealField + Copy + Send + Sync {
-    /// The nearest one.
-    fn from_double(value: f64) -> Self;
-    /// The same in double precision.
-    fn to_double(self) -> f64;
-    /// `self - a b`, in one rounding where `FMA`.
-    fn less_product<const FMA: bool>(self, a: Self, b: Self) -> Self;
-}
-
-impl Real for f64 {
-    fn from_double(value: f64) -> f64 {
-        value
-    }
-    fn to_double(self) -> f64 {
-        self
-    }
-    #[inline(always)]
-    fn less_product<const FMA: bool>(self, a: f64, b: f64) -> f64 {
-        if FMA { (-a).mul_add(b, self) } else { self - a * b }
-    }
-}
-
-impl Real for f32 {
-    fn from_double(value: f64) -> f32 {
-        value as f32
-    }
-    fn to_double(self) -> f64 {
-        f64::from(self)
-    }
-    #[inline(always)]
-    fn less_product<const FMA: bool>(self, a: f32, b: f32) -> f32 {
-        if FMA { (-a).mul_add(b, self) } else { self - a * b }
-    }
 }
 
 /// `L` with `A = L L^T`.

@@ -5,6 +5,7 @@ mod factor;
 mod halves;
 mod matrix;
 mod order;
+mod real;
 mod solve;
 mod substitution;
 

@@ -8,8 +8,8 @@
 //! What it takes is one reading of the factor each way, so right-hand sides share it: entries of one unknown lie side by side, and each entry of
 //! the factor is one factor of a whole row. Columns go in panels, whose sums stay in registers. Two halves of the elimination tree go on two threads.
 
-use super::factor::Real;
 use super::halves::Halves;
+use super::real::Real;
 use lanchester_numerics::{Kernel, dispatch};
 
 /// Columns of a panel.

@@ -106,7 +106,11 @@ impl Solved<'_, '_> {
 
 impl UnitFields {
     /// Solves the unit loads of the pins of these throws, and the centrifugal field at a speed [rad/s].
-    pub(crate) fn new(throws: Vec<usize>, speed: f64, solved: &mut Solved) -> Result<UnitFields, StressError> {
+    pub(crate) fn new(
+        throws: Vec<usize>,
+        speed: f64,
+        solved: &mut Solved,
+    ) -> Result<UnitFields, StressError> {
         let (mut fields, mut report) = (Vec::new(), None);
         for throw in &throws {
             let angle = |k: usize| TAU * k as f64 / DIRECTIONS as f64;
