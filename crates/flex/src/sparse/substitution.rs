@@ -52,7 +52,7 @@ pub(super) fn substitute<'a, T: Real + 'a, const WIDTH: usize>(
     rayon::join(|| sweep(own, true, x), || sweep(other, true, &mut y));
     for row in tops.into_iter().flatten() {
         for (x, y) in x[row].iter_mut().zip(y[row]) {
-            *x = *x + y;
+            *x += y;
         }
     }
     sweep(top, true, x);
@@ -203,7 +203,7 @@ fn backward_panel<const FMA: bool, T: Real, const WIDTH: usize, const COLUMNS: u
         let own = &mut x[rows[c] as usize];
         let mut sum = below[c];
         for k in 0..WIDTH {
-            sum[k] = sum[k] + own[k];
+            sum[k] += own[k];
         }
         for k in c + 1..COLUMNS {
             sum = less::<FMA, T, WIDTH>(sum, columns[c][k], solved[k]);

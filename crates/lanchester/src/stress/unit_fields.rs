@@ -162,6 +162,7 @@ fn narrow(field: &[[f64; 9]]) -> Vec<NodeField> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::f64::consts::PI;
 
     #[test]
     fn twelve_directions_give_the_series_of_a_pressure_over_half_a_circle() {
@@ -174,10 +175,12 @@ mod tests {
             own[0] *= 0.5;
             series.iter_mut().zip(own).for_each(|(sum, own)| *sum += own * pressure(angle));
         }
+        // What is left out, SUM 2/(pi (n^2 - 1)) for n = 6, 8, .., is 1/(5 pi); twelve samples fold no more than that into what is kept.
+        let most = 2.0 / (5.0 * PI);
         for k in 0..360 {
             let angle = TAU * f64::from(k) / 360.0;
             let sum: f64 = coefficients(1.0, angle).iter().zip(series).map(|(a, b)| a * b).sum();
-            assert!((sum - pressure(angle)).abs() < 0.06, "{k}: {sum} {}", pressure(angle));
+            assert!((sum - pressure(angle)).abs() < most, "{k}: {sum} {}", pressure(angle));
         }
     }
 }
