@@ -1212,8 +1212,8 @@ class BearingFilm(Record):
         return self._get("temperature")  # type: ignore[no-any-return]
 
     @property
-    def temperature_rise(self) -> float:
-        """Rise of temperature through the film [K]."""
+    def temperature_rise(self) -> float | None:
+        """Rise of temperature through the film [K]; `None` where no flow takes the heat away, as in full films, or the rise is more than 1000 K."""
         return self._get("temperature_rise")  # type: ignore[no-any-return]
 
     @property
@@ -3332,7 +3332,7 @@ class CrossCheck(Result):
     """Comparison of two independent computations of the same engine."""
 
     __slots__ = ()
-    _FIELDS = ("conditions", "engine", "gas", "speed", "version",)
+    _FIELDS = ("conditions", "engine", "gas", "notes", "speed", "version",)
 
     @property
     def conditions(self) -> Records[ConditionCheck]:
@@ -3348,6 +3348,11 @@ class CrossCheck(Result):
     def gas(self) -> str | None:
         """Where the pressures come from, in words; `None`: inertia alone."""
         return self._get("gas")  # type: ignore[no-any-return]
+
+    @property
+    def notes(self) -> list[str]:
+        """What of the file acts in some conditions alone."""
+        return self._list("notes")  # type: ignore[no-any-return]
 
     @property
     def speed(self) -> float:
@@ -9639,7 +9644,7 @@ class SimulationResult(Result):
     """A simulated run with what its reader must know."""
 
     __slots__ = ()
-    _FIELDS = ("actions", "engine", "gas", "gears", "main_rule", "mains", "mounts", "notes", "periodic", "points", "revolutions", "run", "version",)
+    _FIELDS = ("actions", "engine", "every", "gas", "gears", "main_rule", "mains", "mounts", "notes", "periodic", "points", "revolutions", "run", "version",)
 
     @property
     def actions(self) -> list[str]:
@@ -9650,6 +9655,13 @@ class SimulationResult(Result):
     def engine(self) -> str:
         """Name of the engine."""
         return self._get("engine")  # type: ignore[no-any-return]
+
+    @property
+    def every(self) -> int:
+        """Samples from one that was asked for to the next: between them stand others, at most a degree apart, so that largest values and orders do not depend on the step.
+        What is written has every one that was asked for (`written`).
+        """
+        return self._get("every")  # type: ignore[no-any-return]
 
     @property
     def gas(self) -> str | None:
@@ -11137,7 +11149,7 @@ class TorqueReport(Result):
     """Torque at one speed, and what follows from it."""
 
     __slots__ = ()
-    _FIELDS = ("brake", "cycles", "flywheel", "power", "ripples", "source", "speeds", "torque", "version", "warnings",)
+    _FIELDS = ("brake", "cycles", "flywheel", "is_driven_besides", "power", "ripples", "source", "speeds", "torque", "version", "warnings",)
 
     @property
     def brake(self) -> Brake | None:
@@ -11155,6 +11167,11 @@ class TorqueReport(Result):
         speed of the engine.
         """
         return self._of("flywheel", FlywheelNeed)  # type: ignore[no-any-return]
+
+    @property
+    def is_driven_besides(self) -> bool:
+        """Whether torques over the angle of the file act besides: in `ripples` and `flywheel`, not in `torque`, `speeds` and `power`."""
+        return self._get("is_driven_besides")  # type: ignore[no-any-return]
 
     @property
     def power(self) -> PowerCurve | None:
