@@ -18,7 +18,7 @@ use lanchester::{
     simulate_watched,
 };
 use schemars::JsonSchema;
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 
 pub(super) const QUESTIONS: [Question; 3] = [
     Question::of::<SimulationResult>("simulate", How::Long, read_simulate),
@@ -119,15 +119,24 @@ fn read_simulate(options: &Options<'_>) -> Result<Run, Failure> {
         };
         let found = simulate_watched(&own.file, traces, &request, &|_| watch.goes_on());
         Ok(Data::new(
-            found.map_err(Failure::refused)?,
+            Simulated(found.map_err(Failure::refused)?),
             own,
             Shown {
-                text: |found, _| simulation_text(found),
-                figures: |found, _| simulation_figures(found),
+                text: |Simulated(found), _| simulation_text(found),
+                figures: |Simulated(found), _| simulation_figures(found),
                 ..Shown::default()
             },
         ))
     }))
+}
+
+/// A run whose data are the samples that were asked for, and whose text and pictures know those between.
+struct Simulated(SimulationResult);
+
+impl Serialize for Simulated {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        self.0.written().serialize(serializer)
+    }
 }
 
 fn read_crosscheck(options: &Options<'_>) -> Result<Run, Failure> {
