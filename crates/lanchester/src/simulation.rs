@@ -77,9 +77,10 @@ pub fn simulate_watched(
     let fastest = run.samples.speed.iter().fold(0.0f64, |most, speed| most.max(speed.abs()));
     if fastest > BEYOND * engine.speed.highest.max(simulation.start_speed) {
         notes.push(format!(
-            "The engine comes to {:.0} rpm; the highest speed of the file is {:.0} rpm, and beyond it pressures are those there.",
+            "The engine comes to {:.0} rpm; the highest speed of the file is {:.0} rpm{}.",
             fastest * 30.0 / PI,
-            engine.speed.highest * 30.0 / PI
+            engine.speed.highest * 30.0 / PI,
+            if gas.is_some() { ", and beyond it pressures are those there" } else { "" }
         ));
     }
     let on_mounts = simulation.block == BlockMotion::Mounts;

@@ -7,6 +7,8 @@
 //!
 //! What moves: [`motion`], [`exact_coefficients`], [`series_coefficients`]. Rigid parts, constant speed, no play.
 
+#![forbid(unsafe_code)]
+
 mod bearings;
 mod curves;
 mod inertia;

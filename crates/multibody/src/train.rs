@@ -229,9 +229,4 @@ impl Train {
         rotor.add(rear, behind);
         rotor.unequal = unequal;
     }
-
-    /// The first rotor whose polar inertia nobody gave.
-    pub fn unknown_inertia(&self) -> Option<&Rotor> {
-        self.rotors.iter().find(|rotor| !rotor.known)
-    }
 }

@@ -8,7 +8,7 @@ use crate::loads::peaks_table;
 use crate::mounts::{mount_modes_table, mount_speeds_table};
 use crate::optimum::found_weights_table;
 use crate::optimum::headline;
-use crate::simulated::{PERIODIC, SimulationResult, simulation_tables, simulation_words};
+use crate::simulated::{SimulationResult, periodic_words, simulation_tables, simulation_words};
 use crate::strength::CrankRule;
 use crate::stress::{CrankCycle, CrankFatigue, CrankModes, ReducedCrank, StaticStress};
 use crate::study::{equal_words, ranking_words};
@@ -185,10 +185,9 @@ pub fn balance_brief(engine: &Engine, answer: &Answer) -> String {
 pub fn simulation_brief(result: &SimulationResult) -> String {
     let mut out = format!("{}, simulated as rigid bodies\n", result.engine);
     // How it ended; of a periodic motion also whether there is one.
-    let words = simulation_words(result);
-    let periodic = words.iter().filter(|words| words.starts_with(PERIODIC));
-    for words in words.iter().take(1).chain(periodic) {
-        push_wrapped(&mut out, "", words);
+    let ended = simulation_words(result).into_iter().take(1);
+    for words in ended.chain(result.periodic.as_ref().map(periodic_words)) {
+        push_wrapped(&mut out, "", &words);
     }
     let mut lines = Vec::new();
     for table in simulation_tables(result) {

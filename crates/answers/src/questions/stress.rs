@@ -30,8 +30,8 @@ const MODE_FILLET_ELEMENTS: usize = 2;
 /// Share of the length of the crankshaft as which the largest displacement of a mode is shown at first.
 const SHOWN: f64 = 0.08;
 
-/// Time of a load case over that of its share of the factor's entries [s], as measured: it reads the factor some times.
-const SECONDS_OF_ENTRY: f64 = 6e-9;
+/// Time of a load case, with the stress of all nodes, over the entries of the factor [ns], as measured: it reads the factor some times.
+const NANOSECONDS_OF_ENTRY: f64 = 6.0;
 
 /// A crankshaft, how fine it is meshed, what holds it, and its speed.
 #[derive(Debug, Deserialize, JsonSchema)]
@@ -201,7 +201,7 @@ fn plan(asker: &Asker, question: StressQuestion) -> Result<StressPlan, Problem> 
     let operations = make_product(plan.estimate.precision);
     let took = (asker.studio.clock)().saturating_sub(began).as_secs_f64();
     let factor = plan.estimate.seconds(operations / took.max(f64::MIN_POSITIVE));
-    let each = SECONDS_OF_ENTRY * plan.estimate.factor_entries as f64;
+    let each = NANOSECONDS_OF_ENTRY / 1e9 * plan.estimate.factor_entries as f64;
     Ok(StressPlan {
         nodes: plan.nodes,
         unknowns: plan.estimate.unknowns,
@@ -223,6 +223,11 @@ fn stress(asker: &Asker, question: StressQuestion) -> Result<StressAnswer, Probl
 fn modes(asker: &Asker, question: StressQuestion) -> Result<ModesAnswer, Problem> {
     refuse_in_browser()?;
     let file = engine_file(&question.text)?;
+    if question.speed.is_some() || question.inertia_only {
+        return Err(Problem::refused(
+            "natural modes are those of the crankshaft at rest without loads\nhint: leave out speed and gas",
+        ));
+    }
     let usual = CrankMeshOptions { fillet_elements: MODE_FILLET_ELEMENTS, ..CrankMeshOptions::default() };
     let request = ModesRequest {
         mesh: mesh(asker, &file, &question, usual)?,
@@ -295,6 +300,11 @@ fn missing_crankshaft(engine: &Engine, number: usize) -> Problem {
 }
 
 fn support(question: &StressQuestion, usual: CrankSupport) -> Result<CrankSupport, Problem> {
+    if question.support != Some(Support::Springs) && question.stiffness.is_some() {
+        return Err(Problem::refused(
+            "a stiffness belongs to springs\nhint: leave it out, or hold the crankshaft by springs",
+        ));
+    }
     match (question.support, question.stiffness) {
         (Some(Support::Springs), Some(stiffness)) if stiffness > 0.0 && stiffness.is_finite() => {
             Ok(CrankSupport::even_springs(stiffness))
@@ -477,9 +487,13 @@ mod tests {
         let studio = studio();
         let gone = stress(&Asker::new(&studio, &|| false), question()).expect_err("nobody waits");
         assert_eq!(gone, superseded());
-        let asked = StressQuestion { support: Some(Support::Springs), ..question() };
-        let refused = plan(&Asker::new(&studio, &|| true), asked).expect_err("no stiffness");
-        assert!(refused.message.contains("springs need a stiffness above 0"), "{}", refused.message);
+        let refused = |asked| plan(&Asker::new(&studio, &|| true), asked).expect_err("refused").message;
+        let springs = refused(StressQuestion { support: Some(Support::Springs), ..question() });
+        assert!(springs.contains("springs need a stiffness above 0"), "{springs}");
+        let journals = refused(StressQuestion { stiffness: Some(5e8), ..question() });
+        assert!(journals.contains("belongs to springs"), "{journals}");
+        let turning = modes(&Asker::new(&studio, &|| true), question()).expect_err("it has a speed");
+        assert!(turning.message.contains("leave out speed"), "{}", turning.message);
     }
 
     #[test]

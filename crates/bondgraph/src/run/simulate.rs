@@ -229,7 +229,12 @@ impl Equations {
         if !is_whole && beginning < most && found.largest.contains(&0.0) {
             (is_whole, found) = sizes(&mut compiled, most);
         }
+        let is_early = request.cancel.is_some_and(Cancel::is_set);
         let mut pass = self.pass(&mut compiled, request, places, &found.absolute(request.tolerance), &start);
+        if is_early {
+            pass.ended =
+                "cancelled while the sizes of the states were measured, before the first sample".into();
+        }
         if !pass.complete && !is_whole && beginning < most {
             let (_, found) = sizes(&mut compiled, most);
             pass = self.pass(&mut compiled, request, places, &found.absolute(request.tolerance), &start);

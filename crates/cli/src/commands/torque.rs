@@ -42,9 +42,11 @@ pub fn run(arguments: &TorqueArguments, colour: bool) -> Result<u8, Failure> {
         Format::Text => arguments.printed.text(
             || text(&report),
             || {
-                let ripples = report.ripples.iter().filter(|_| report.is_driven_besides);
-                let driven =
-                    ripples.filter_map(|ripple| ripple.periodic()).map(|ripple| ripple.excess).next();
+                // At the speed of the headline; the file's flywheel may name others.
+                let at = |speed: f64| (speed - report.torque.speed).abs() <= 1e-9 * report.torque.speed;
+                let mut ripples = report.ripples.iter().filter_map(|ripple| ripple.periodic());
+                let own = ripples.find(|ripple| report.is_driven_besides && at(ripple.mean_speed));
+                let driven = own.map(|ripple| ripple.excess);
                 torque_brief(&report.torque, report.brake.as_ref(), report.flywheel.as_ref(), driven)
             },
         ),

@@ -57,6 +57,9 @@ pub fn run(arguments: &TorsionArguments, colour: bool) -> Result<u8, Failure> {
     Ok(NOT_AS_EXPECTED)
 }
 
+/// Size of the elements of throws where nobody says [m].
+const THROW_MESH: f64 = 0.01;
+
 /// Stiffnesses of throws from a mesh, where they are asked for; both kinds in words.
 fn by_elements(
     arguments: &TorsionArguments,
@@ -64,9 +67,14 @@ fn by_elements(
     request: &mut TorsionRequest,
 ) -> Result<Vec<String>, Failure> {
     if arguments.throws == StiffnessOption::KerWilson {
-        return Ok(Vec::new());
+        return match arguments.size {
+            Some(_) => {
+                Err(Failure::input("--size is that of a mesh", "add --throws free or held, or leave it out"))
+            }
+            None => Ok(Vec::new()),
+        };
     }
-    let size = option::length(&arguments.size, "--size")?;
+    let size = arguments.size.as_deref().map_or(Ok(THROW_MESH), |text| option::length(text, "--size"))?;
     let options = CrankMeshOptions { size, fillet_elements: 2, ..CrankMeshOptions::default() };
     let solve = SolveOptions { memory: memory(&arguments.memory)?, ..SolveOptions::default() };
     let held = arguments.throws == StiffnessOption::Held;

@@ -33,9 +33,9 @@ pub struct TorsionArguments {
     /// Both of a mesh are told, and Ker Wilson's beside them. What [torsion] gives stays.
     #[arg(long, value_enum, default_value_t = StiffnessOption::KerWilson)]
     pub throws: StiffnessOption,
-    /// With `--throws free` or `held`: size of the elements, with its unit.
-    #[arg(long, value_name = "LENGTH", default_value = "10 mm")]
-    pub size: String,
+    /// With `--throws free` or `held`: size of the elements, with its unit; default: 10 mm.
+    #[arg(long, value_name = "LENGTH")]
+    pub size: Option<String>,
     /// With `--throws free` or `held`: most memory that matrix and factor may take, such as `4 GiB`.
     #[arg(long, value_name = "SIZE", default_value = "8 GiB")]
     pub memory: String,

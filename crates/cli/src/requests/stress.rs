@@ -217,6 +217,12 @@ pub fn static_request(
         Some(name) => StaticRequest::of_case(stress_case(&file.tasks, name).map_err(Failure::refused)?, mesh),
         None => {
             let support = support(held, CrankSupport::Journals)?;
+            if load.inertia_only && !load.force.is_empty() {
+                return Err(Failure::input(
+                    "--inertia-only beside --force has no effect: forces of your own know no gas",
+                    "leave out one of the two",
+                ));
+            }
             let (load, speeds) = loads(load, &support)?;
             StaticRequest { mesh, support, load, speeds, ..StaticRequest::default() }
         }

@@ -253,8 +253,9 @@ impl<T: Real> Factor<T> {
 
     /// Solves `A x = b` for several right-hand sides one after the other in `sides`, in place.
     pub fn solve(&self, sides: &mut [T]) {
-        for some in sides.chunks_mut(WIDEST * self.symbolic.nrows()) {
-            if some.len() <= NARROW * self.symbolic.nrows() {
+        let size = self.symbolic.nrows().max(1);
+        for some in sides.chunks_mut(WIDEST * size) {
+            if some.len() <= NARROW * size {
                 self.solve_some::<NARROW>(some);
             } else {
                 self.solve_some::<WIDEST>(some);

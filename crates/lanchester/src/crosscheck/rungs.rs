@@ -101,10 +101,10 @@ fn left_out(input: &SimulationInput) -> Option<String> {
         others.into_iter().filter_map(|(name, is_given)| is_given.then_some(name)).collect();
     let mut words = Vec::new();
     if !named.is_empty() {
-        words.push(format!("The {} of [simulation] acts in condition B alone.", named.join(" and the ")));
+        words.push(format!("Of [simulation] condition B alone has: {}.", named.join(", ")));
     }
     if !nowhere.is_empty() {
-        words.push(format!("Of [simulation] no condition has {}.", nowhere.join(", ")));
+        words.push(format!("Of [simulation] no condition has: {}.", nowhere.join(", ")));
     }
     (!words.is_empty()).then(|| words.join(" "))
 }

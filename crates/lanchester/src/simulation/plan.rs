@@ -107,7 +107,7 @@ pub(crate) fn plan(
     }
     simulation.start_angle = request.start_angle.or(input.start_angle).unwrap_or(0.0);
     let asked = request.step.or(input.step).unwrap_or(simulation.step);
-    let (step, every) = sample_step(asked, &simulation, &mut notes);
+    let (step, every) = sample_step(asked, &simulation, engine.speed.highest, &mut notes);
     simulation.step = step;
     simulation.tolerance = request.tolerance.or(input.tolerance).unwrap_or(simulation.tolerance);
     simulation.tolerances = input.tolerances;
@@ -200,14 +200,23 @@ const FINE: f64 = TAU / 360.0;
 const MOST_FINE: f64 = 200_000.0;
 
 /// Crank angle between the samples of a run [rad] where `asked` lies between those that are written, and how many of the first make one of the second: largest values
-/// and orders are not to depend on what is written. A long run keeps the step that was asked for, and says so.
-fn sample_step(asked: f64, simulation: &Simulation, notes: &mut Vec<String>) -> (f64, usize) {
+/// and orders are not to depend on what is written. A long run keeps the step that was asked for, and says so;
+/// `highest`: speed that a free run may come to [rad/s].
+fn sample_step(asked: f64, simulation: &Simulation, highest: f64, notes: &mut Vec<String>) -> (f64, usize) {
     if !(asked > FINE * (1.0 + 1e-9) && asked.is_finite()) {
         return (asked, 1);
     }
     let turned = match simulation.duration {
         Duration::Revolutions(turns) => TAU * turns,
-        Duration::Time(time) => simulation.start_speed.abs() * time,
+        Duration::Time(time) => {
+            let fastest = match &simulation.drive {
+                Drive::Imposed { profile, .. } => {
+                    profile.iter().map(|[_, speed]| speed.abs()).fold(0.0, f64::max)
+                }
+                Drive::Free => simulation.start_speed.abs().max(highest),
+            };
+            fastest * time
+        }
     };
     let parts = (asked / FINE * (1.0 - 1e-9)).ceil();
     if turned / asked * parts > MOST_FINE {

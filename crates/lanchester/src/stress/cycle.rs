@@ -24,7 +24,7 @@ use std::f64::consts::TAU;
 use train::{Composed, bearing_places, gas_force};
 
 /// What is said of largest values under a pressure that jumps.
-const RINGS: &str = "The pressure of an ideal cycle jumps: crankshaft and bearings ring behind it as they never do in an engine, and the largest values are those of the ringing. Take a measured pressure or the single zone.";
+const RINGING: &str = "The pressure of an ideal cycle jumps: crankshaft and bearings ring behind it as they never do in an engine, and the largest values are those of the ringing. Take a measured pressure or the single zone.";
 
 /// How far a computation is.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -139,7 +139,7 @@ pub fn crank_cycle(
     };
     let is_ideal =
         |gas: &GasReport| gas.cycles.iter().any(|own| matches!(own.cycle, CylinderCycle::Ideal(_)));
-    let rings = gas.as_ref().is_some_and(is_ideal).then(|| RINGS.to_owned());
+    let ringing = gas.as_ref().is_some_and(is_ideal).then(|| RINGING.to_owned());
     notes.extend(left_out(engine, request, &sheet.crank.left_out));
     Ok(CrankCycle {
         version: CRANK_CYCLE_VERSION,
@@ -153,7 +153,7 @@ pub fn crank_cycle(
         options,
         rules,
         runs,
-        rings,
+        ringing,
         notes,
         sheet,
     })

@@ -26,7 +26,7 @@ const HARMONICS: [usize; 3] = [1, 2, 4];
 /// Fields of a pin: the mean, then cosine and sine of each harmonic.
 const PER_PIN: usize = 1 + 2 * HARMONICS.len();
 
-/// Cases that are solved at once: the factor is read once for all of them.
+/// Cases that are solved at once: before each such block it is heard whether somebody still waits.
 const BLOCK: usize = DIRECTIONS;
 
 /// Size of a unit force [N].

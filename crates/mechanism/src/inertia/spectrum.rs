@@ -11,7 +11,6 @@
 
 use crate::inertia::order_axis::OrderAxis;
 use crate::inertia::orders::{Harmonic, empty};
-
 use crate::train::drive::{Drive, Linkage};
 use crate::train::linkage::Slider;
 use crate::train::mechanism::{Mechanism, Piston};

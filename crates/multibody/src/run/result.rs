@@ -33,6 +33,18 @@ pub struct Run {
     pub tolerances: Tolerances,
 }
 
+impl Run {
+    /// The run with every `every`-th of its samples, and the last.
+    pub fn every(&self, every: usize) -> Run {
+        Run {
+            engine: self.engine.clone(),
+            samples: self.samples.every(every),
+            events: self.events.clone(),
+            ..*self
+        }
+    }
+}
+
 /// How a run ended.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case", tag = "kind")]
@@ -117,8 +129,8 @@ pub struct Samples {
     pub reactions: Vec<Reactions>,
 }
 
-/// Every `every`-th, and the last.
-fn thinned<T: Clone>(series: &[T], every: usize) -> Vec<T> {
+/// Every `every`-th of a series of samples, and the last.
+pub fn thinned<T: Clone>(series: &[T], every: usize) -> Vec<T> {
     let last = series.len().saturating_sub(1);
     let kept = series.iter().enumerate().filter(|(k, _)| k % every == 0 || *k == last);
     kept.map(|(_, value)| value.clone()).collect()

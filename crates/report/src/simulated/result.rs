@@ -1,6 +1,6 @@
 //! A simulated run with what its reader must know.
 
-use lanchester_multibody::{Followed, MainRule, Occasion, PeriodicOutcome, Run, Samples};
+use lanchester_multibody::{Followed, MainRule, Occasion, PeriodicOutcome, Run, thinned};
 use serde::Serialize;
 use std::borrow::Cow;
 use std::f64::consts::TAU;
@@ -35,6 +35,7 @@ pub struct SimulationResult {
     pub gears: Vec<String>,
     /// Samples from one that was asked for to the next: between them stand others, at most a degree apart, so that largest values and orders do not depend on the step.
     /// What is written has every one that was asked for ([`SimulationResult::written`]).
+    #[serde(skip)]
     pub every: usize,
     /// Motion of the points of the block that were asked for.
     pub points: Vec<PointMotion>,
@@ -74,16 +75,25 @@ impl SimulationResult {
         if self.every <= 1 {
             return Cow::Borrowed(self);
         }
-        let mut own =
-            SimulationResult { run: Run { samples: Samples::default(), ..self.run.clone() }, ..self.clone() };
-        own.run.samples = self.run.samples.every(self.every);
-        let last = self.run.samples.theta.len().saturating_sub(1);
-        for point in &mut own.points {
-            let mut index = 0..;
-            point.displacement.retain(|_| index.next().is_some_and(|k| k % self.every == 0 || k == last));
-        }
-        own.every = 1;
-        Cow::Owned(own)
+        let point = |own: &PointMotion| PointMotion {
+            displacement: thinned(&own.displacement, self.every),
+            name: own.name.clone(),
+            at: own.at,
+        };
+        Cow::Owned(SimulationResult {
+            engine: self.engine.clone(),
+            gas: self.gas.clone(),
+            notes: self.notes.clone(),
+            actions: self.actions.clone(),
+            mounts: self.mounts.clone(),
+            mains: self.mains.clone(),
+            periodic: self.periodic.clone(),
+            gears: self.gears.clone(),
+            points: self.points.iter().map(point).collect(),
+            run: self.run.every(self.every),
+            every: 1,
+            ..*self
+        })
     }
 
     /// Samples of the last whole period, or all where there is none.

@@ -51,11 +51,8 @@ pub fn simulation_words(result: &SimulationResult) -> Vec<String> {
     all
 }
 
-/// Begins what is said of a search for a periodic motion.
-pub(crate) const PERIODIC: &str = "Periodic motion:";
-
 /// How the search for a periodic motion ended.
-fn periodic_words(periodic: &PeriodicResult) -> String {
+pub(crate) fn periodic_words(periodic: &PeriodicResult) -> String {
     let after = |followed: &Followed| {
         format!("{} periods ({} s) after the start", followed.periods, number::short(followed.time, 4))
     };
@@ -68,7 +65,7 @@ fn periodic_words(periodic: &PeriodicResult) -> String {
         }
         PeriodicOutcome::NotFound => return no_periodic_words(periodic.followed.as_ref()),
     };
-    let mut words = format!("{PERIODIC} {found}");
+    let mut words = format!("Periodic motion: {found}");
     words += &periodic
         .followed
         .as_ref()
@@ -82,14 +79,14 @@ fn periodic_words(periodic: &PeriodicResult) -> String {
 /// What became of the engine where no periodic motion was found.
 fn no_periodic_words(followed: Option<&Followed>) -> String {
     let Some(followed) = followed else {
-        return format!("{PERIODIC} not found; one period from the start is shown.");
+        return "Periodic motion: not found; one period from the start is shown.".to_owned();
     };
     let [first, before, last] = followed.speeds;
     let rpm = |speed: f64| number::short(number::rpm(speed), 5);
     let step = last - before;
     if followed.came_to_rest {
         return format!(
-            "{PERIODIC} none found. From the start at {} rpm the engine comes to rest after {} whole periods: that run is shown.",
+            "Periodic motion: none found. From the start at {} rpm the engine comes to rest after {} whole periods: that run is shown.",
             rpm(first),
             followed.periods
         );
@@ -100,7 +97,7 @@ fn no_periodic_words(followed: Option<&Followed>) -> String {
         false => "no longer changes, but other parts of the motion do".to_owned(),
     };
     format!(
-        "{PERIODIC} none found. From the start at {} rpm the speed comes to {} rpm in {} periods, {} s, and {trend}: the next period is shown.",
+        "Periodic motion: none found. From the start at {} rpm the speed comes to {} rpm in {} periods, {} s, and {trend}: the next period is shown.",
         rpm(first),
         rpm(last),
         followed.periods,

@@ -93,7 +93,7 @@ pub struct CrankCycle {
     /// One a law and kind of crankshaft.
     pub runs: Vec<CycleRun>,
     /// What keeps the largest values from being those of an engine, where something does.
-    pub rings: Option<String>,
+    pub ringing: Option<String>,
     /// What was assumed and left out.
     pub notes: Vec<String>,
 }

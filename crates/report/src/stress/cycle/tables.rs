@@ -223,7 +223,7 @@ impl CrankCycle {
             ));
         }
         // The headline is what is read: what it is worth belongs to it.
-        out.extend(self.rings.iter().map(|words| format!(" {words}")));
+        out.extend(self.ringing.iter().map(|words| format!(" {words}")));
         out
     }
 
