@@ -177,6 +177,13 @@ impl Cells {
         self.east[cell] + self.east[west] + self.north[cell] + below
     }
 
+    /// The cell from which surfaces that turn with this mean speed carry oil into a cell, and the one whose face towards its next is between both.
+    pub fn upstream(&self, entrainment: f64, i: usize, j: usize) -> (usize, usize) {
+        let (n, m) = (self.around, self.axial);
+        let west = (i + n - 1) % n * m + j;
+        if entrainment >= 0.0 { (west, west) } else { ((i + 1) % n * m + j, i * m + j) }
+    }
+
     /// What leaves a cell by pressure: row of the matrix times P.
     pub fn outflow(&self, p: &[f64], i: usize, j: usize) -> f64 {
         let (n, m) = (self.around, self.axial);

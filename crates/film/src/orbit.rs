@@ -89,13 +89,16 @@ pub struct FilmOrbit {
     pub largest_pressure_at: f64,
     /// Friction power, mean over the period [W]: torques and motion of the journal, contact left out.
     pub friction_power: f64,
-    /// Oil that leaves at the ends, mean [m3/s]; what a feed pressure adds is left out.
+    /// Oil that leaves at the ends, mean [m3/s].
     pub side_flow: f64,
+    /// Oil that grooves and holes give, mean [m3/s]; 0 where the film has none.
+    #[serde(default)]
+    pub feed_flow: f64,
     /// Share of the period with contact of the roughness.
     pub contact_time: f64,
     /// Largest share of the load that contact takes.
     pub contact_share: f64,
-    /// Largest difference of the table's force from that of the film solved directly, over the load.
+    /// Largest difference of the table's force from that of the film solved directly, over the load; 0 where every film of the orbit is solved directly.
     pub table_error: f64,
     /// Steps of the integrator.
     pub steps: u64,
@@ -280,10 +283,13 @@ fn farthest(orbit: &[Plane]) -> usize {
     (0..orbit.len()).max_by(|a, b| length(orbit[*a]).total_cmp(&length(orbit[*b]))).unwrap_or(0)
 }
 
-fn check(request: &OrbitRequest) -> Result<(), FilmError> {
-    request.bearing.check()?;
-    check_viscosity(request.viscosity)?;
-    let cycle = request.cycle;
+/// Refuses what no orbit can be computed of.
+pub(crate) fn check_cycle(
+    bearing: &JournalBearing,
+    cycle: &JournalCycle,
+    roughness: f64,
+) -> Result<(), FilmError> {
+    bearing.check()?;
     let n = cycle.load.len();
     let fewest = n.min(cycle.entrainment.len()).min(cycle.sliding.len());
     if fewest < 16 || fewest < n {
@@ -298,7 +304,12 @@ fn check(request: &OrbitRequest) -> Result<(), FilmError> {
     if mean == 0.0 {
         return Err(FilmError::NoSpeed { speed: mean });
     }
-    require(request.roughness >= 0.0, "composite roughness [m]", "0 or above", request.roughness)?;
+    require(roughness >= 0.0, "composite roughness [m]", "0 or above", roughness)
+}
+
+fn check(request: &OrbitRequest) -> Result<(), FilmError> {
+    check_viscosity(request.viscosity)?;
+    check_cycle(&request.bearing, request.cycle, request.roughness)?;
     require(
         request.mass.is_none_or(|mass| mass > 0.0),
         "mass at the journal [kg]",
@@ -332,6 +343,7 @@ fn films(system: &Orbit, orbit: &[Plane]) -> Result<FilmOrbit, FilmError> {
         largest_pressure_at: 0.0,
         friction_power: 0.0,
         side_flow: 0.0,
+        feed_flow: 0.0,
         contact_time: 0.0,
         contact_share: 0.0,
         table_error: 0.0,

@@ -2,9 +2,11 @@
 
 use crate::bearing::JournalBearing;
 use crate::cavitation::Cavitation;
+use crate::direct::{DirectOrbit, DirectRequest};
 use crate::error::FilmError;
 use crate::oil::{OilCurve, temperature_rise};
 use crate::orbit::{FilmOrbit, JournalCycle, OrbitRequest, journal_orbit};
+use crate::problem::Feed;
 use crate::table::FilmTable;
 use serde::{Deserialize, Serialize};
 
@@ -85,6 +87,20 @@ pub struct BearingFilm {
     pub orbit: FilmOrbit,
 }
 
+/// Where the force of a film comes from.
+#[derive(Debug, Clone, Copy)]
+pub enum FilmSource<'a> {
+    /// A table.
+    Table(&'a FilmTable),
+    /// The film, solved at every instant of the load.
+    Direct {
+        /// Cavitation.
+        cavitation: Cavitation,
+        /// Grooves and holes, in the shell's frame.
+        feeds: &'a [Feed],
+    },
+}
+
 /// What a film of the engine is computed of.
 #[derive(Debug, Clone, Copy)]
 pub struct BearingFilmRequest<'a> {
@@ -96,8 +112,8 @@ pub struct BearingFilmRequest<'a> {
     pub number: usize,
     /// The bearing.
     pub bearing: JournalBearing,
-    /// Its table.
-    pub table: &'a FilmTable,
+    /// Where the film's force comes from.
+    pub source: FilmSource<'a>,
     /// Load and speeds.
     pub cycle: &'a JournalCycle,
     /// Angle of the shell's frame at every instant [rad].
@@ -115,15 +131,30 @@ pub struct BearingFilmRequest<'a> {
 /// # Errors
 /// As [`journal_orbit`].
 pub fn bearing_film(request: &BearingFilmRequest) -> Result<BearingFilm, FilmError> {
-    let orbit_at = |viscosity: f64| {
-        journal_orbit(&OrbitRequest {
+    // A film that is solved goes on from where the last viscosity left the journal.
+    let mut direct = match request.source {
+        FilmSource::Table(_) => None,
+        FilmSource::Direct { cavitation, feeds } => Some(DirectOrbit::new(&DirectRequest {
             bearing: request.bearing,
-            table: request.table,
+            cavitation,
+            cycle: request.cycle,
+            shell: request.shell,
+            feeds,
+            roughness: request.roughness,
+        })?),
+    };
+    let is_direct = direct.is_some();
+    let mut orbit_at = |viscosity: f64| match (&mut direct, request.source) {
+        (Some(direct), _) => direct.run(viscosity),
+        (None, FilmSource::Table(table)) => journal_orbit(&OrbitRequest {
+            bearing: request.bearing,
+            table,
             viscosity,
             cycle: request.cycle,
             roughness: request.roughness,
             mass: None,
-        })
+        }),
+        (None, FilmSource::Direct { .. }) => Err(FilmError::NoLand),
     };
     let (mut viscosity, mut temperature, mut balanced) = match request.oil {
         FilmOil::Fixed { viscosity, .. } => (viscosity, None, true),
@@ -141,15 +172,20 @@ pub fn bearing_film(request: &BearingFilmRequest) -> Result<BearingFilm, FilmErr
     let mut rise = rise_of(&orbit);
     if let FilmOil::Curve { oil, supply } = request.oil {
         let mut film = supply;
+        let mut last: Option<[f64; 2]> = None;
         for _ in 0..MOST_REPEATS {
             // Half the step: friction falls as the film warms, so that the whole one may swing.
             let missing = supply + rise.unwrap_or(HIGHEST_RISE) - film;
-            let next = (film + 0.5 * missing).min(HOTTEST);
             if missing.abs() < SAME_TEMPERATURE {
                 balanced = true;
                 break;
             }
-            film = next;
+            // What costs a solution an instant is found by secants, which need fewer.
+            let slope =
+                last.filter(|_| is_direct).map(|[before, lacked]| (missing - lacked) / (film - before));
+            let step = slope.filter(|slope| *slope < -0.5).map_or(0.5 * missing, |slope| -missing / slope);
+            last = Some([film, missing]);
+            film = (film + step).min(HOTTEST);
             viscosity = oil.viscosity(film);
             orbit = orbit_at(viscosity)?;
             rise = rise_of(&orbit);
@@ -167,7 +203,10 @@ pub fn bearing_film(request: &BearingFilmRequest) -> Result<BearingFilm, FilmErr
         crankshaft: request.crankshaft,
         number: request.number,
         bearing: request.bearing,
-        cavitation: request.table.cavitation(),
+        cavitation: match request.source {
+            FilmSource::Table(table) => table.cavitation(),
+            FilmSource::Direct { cavitation, .. } => cavitation,
+        },
         viscosity,
         temperature_rise: rise,
         temperature,
@@ -210,7 +249,7 @@ mod tests {
             crankshaft: 1,
             number: 1,
             bearing,
-            table: &table,
+            source: FilmSource::Table(&table),
             cycle: &cycle,
             shell: &[],
             period: TAU,

@@ -83,6 +83,9 @@ impl FilmSolution {
                 side += (if j + 1 == m { cells.north[cell] } else { 0.0 } + cells.south[cell]) * p[cell];
                 if cells.fixed[cell].is_some() {
                     feed += cells.outflow(p, i, j) - cells.source[cell];
+                    // And what fills the emptiness that is carried into it.
+                    let (upstream, face) = cells.upstream(motion.entrainment, i, j);
+                    feed += motion.entrainment.abs() * bearing.clearance * cells.face[face] * empty[upstream];
                 }
                 if p[cell] != 0.0 {
                     flow_work += p[cell] * cells.outflow(p, i, j);

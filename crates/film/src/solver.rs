@@ -28,6 +28,16 @@ pub struct FilmSolver {
     warm: bool,
     number: Vec<usize>,
     right: Vec<f64>,
+    memory: Option<Memory>,
+}
+
+/// What a film that keeps its oil remembers: `d(H r)/dt = rate H r - past`.
+#[derive(Debug, Clone, Default)]
+struct Memory {
+    /// [1/s].
+    rate: f64,
+    /// Of every cell [1/s].
+    past: Vec<f64>,
 }
 
 impl FilmSolver {
@@ -60,6 +70,7 @@ impl FilmSolver {
             warm: false,
             number: vec![NONE; count],
             right: Vec::with_capacity(count),
+            memory: None,
             grid,
         };
         solver.cells.place(&solver.grid);
@@ -82,6 +93,15 @@ impl FilmSolver {
     /// Empty share of each cell of the last film; zero but with [`Cavitation::MassConserving`].
     pub fn emptiness(&self) -> &[f64] {
         &self.empty
+    }
+
+    /// From here on a mass-conserving film keeps its oil: the emptiness r of a cell of thickness H = h/c changes by `rate H r - past` [1/s]. Without this it
+    /// is that of a state that lasts.
+    pub(crate) fn remember(&mut self, rate: f64, past: impl Iterator<Item = f64>) {
+        let memory = self.memory.get_or_insert_default();
+        memory.rate = rate;
+        memory.past.clear();
+        memory.past.extend(past);
     }
 
     /// The film at one instant.
@@ -111,6 +131,8 @@ impl FilmSolver {
                 Some(1)
             }
             Cavitation::Reynolds => self.complementary(),
+            // With a memory the last set is near enough.
+            Cavitation::MassConserving if self.memory.is_some() && self.warm => self.conserving(problem),
             Cavitation::MassConserving => {
                 let first = self.complementary();
                 first.and_then(|first| Some(first + self.conserving(problem)?))
@@ -241,6 +263,7 @@ impl FilmSolver {
     /// ```text
     /// outflow(P) - source - w_m c [H r]_upwind, around - r (-e'.INT n da) = 0
     /// ```
+    /// With a memory the last term is the whole change of what is empty, `c INT d(H r)/dt da`.
     fn conserving(&mut self, problem: &FilmProblem) -> Option<usize> {
         let (n, m) = (self.cells.around, self.cells.axial);
         let carry = problem.motion.entrainment * problem.bearing.clearance;
@@ -300,6 +323,15 @@ impl FilmSolver {
         }
         let (next, west) = ((i + 1) % n * m + j, (i + n - 1) % n * m + j);
         self.right[own] += self.cells.source[cell];
+        // Volume of the cell's column for H = 1.
+        let volume = problem.bearing.clearance * self.cells.width[i];
+        let change = match &self.memory {
+            Some(memory) => {
+                self.right[own] -= volume * memory.past[cell];
+                volume * memory.rate * self.cells.thickness[cell]
+            }
+            None => self.cells.opening(problem.motion.velocity, i),
+        };
         let mut neighbours =
             [(next, self.cells.east[cell]), (west, self.cells.east[west]), (NONE, 0.0), (NONE, 0.0)];
         if j + 1 < m {
@@ -313,8 +345,7 @@ impl FilmSolver {
         } else {
             // Its own emptiness leaves over the face downstream and with the film's opening.
             let downstream = if carry >= 0.0 { self.cells.face[cell] } else { self.cells.face[west] };
-            let opening = self.cells.opening(problem.motion.velocity, i);
-            self.general.add(own, own, -(carry.abs() * downstream + opening));
+            self.general.add(own, own, -(carry.abs() * downstream + change));
         }
         for (other, conductance) in neighbours {
             if other == NONE {
@@ -326,10 +357,9 @@ impl FilmSolver {
                 self.general.add(own, self.number[other], -conductance);
             }
         }
-        let (upstream, face) =
-            if carry >= 0.0 { (west, self.cells.face[west]) } else { (next, self.cells.face[cell]) };
+        let (upstream, face) = self.cells.upstream(carry, i, j);
         if self.number[upstream] != NONE && !self.under_pressure[upstream] {
-            self.general.add(own, self.number[upstream], carry.abs() * face);
+            self.general.add(own, self.number[upstream], carry.abs() * self.cells.face[face]);
         }
     }
 }

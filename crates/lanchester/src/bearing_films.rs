@@ -2,13 +2,15 @@
 
 use crate::torque_report::bearing_sizes;
 use lanchester_film::{
-    BearingFilm, BearingFilmRequest, BearingKind, Cavitation, DENSITY, FilmError, FilmOil, FilmTable,
-    JournalBearing, JournalCycle, OilCurve, bearing_film, check_density, check_viscosity, oil_grades,
+    BearingFilm, BearingFilmRequest, BearingKind, Cavitation, DENSITY, Feed, FilmError, FilmOil, FilmSource,
+    FilmTable, JournalBearing, JournalCycle, OilCurve, bearing_film, check_density, check_viscosity,
+    oil_grades,
 };
 use lanchester_mechanism::{BearingLoads, BearingSize};
-use lanchester_model::{BearingData, Cavitation as FileCavitation, Engine};
+use lanchester_model::{BearingData, Cavitation as FileCavitation, Engine, Oil, OilGroove};
 use lanchester_report::{FilmsInput, Section, films_section};
 use num_complex::Complex64;
+use rayon::prelude::*;
 use serde::Serialize;
 use std::f64::consts::TAU;
 
@@ -82,6 +84,16 @@ pub enum BearingFilmsError {
     },
 }
 
+/// Whether films have the grooves of the file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Grooves {
+    /// No: orbits go by tables of films without grooves, in milliseconds. A film that keeps its oil is taken by Reynolds' condition.
+    #[default]
+    LeftOut,
+    /// Yes, with their supply pressure: the films of bearings with grooves are solved at every instant, which takes seconds each.
+    Solved,
+}
+
 /// Films under these loads, quasi-static, by the models of cavitation given, without any by that of the file (else Guembel's).
 ///
 /// # Errors
@@ -90,8 +102,9 @@ pub fn bearing_films(
     engine: &Engine,
     loads: &BearingLoads,
     models: &[Cavitation],
+    grooves: Grooves,
 ) -> Result<BearingFilms, BearingFilmsError> {
-    films_at(engine, loads, models, &mut Vec::new())
+    films_at(engine, loads, models, grooves, &mut Vec::new())
 }
 
 /// The same at several speeds, in their order.
@@ -102,9 +115,10 @@ pub fn bearing_films_over_speed(
     engine: &Engine,
     loads: &[BearingLoads],
     models: &[Cavitation],
+    grooves: Grooves,
 ) -> Result<Vec<BearingFilms>, BearingFilmsError> {
     let mut tables = Vec::new();
-    loads.iter().map(|loads| films_at(engine, loads, models, &mut tables)).collect()
+    loads.iter().map(|loads| films_at(engine, loads, models, grooves, &mut tables)).collect()
 }
 
 /// Films at one speed; tables that are there already are used again.
@@ -112,6 +126,7 @@ fn films_at(
     engine: &Engine,
     loads: &BearingLoads,
     models: &[Cavitation],
+    grooves: Grooves,
     tables: &mut Vec<FilmTable>,
 ) -> Result<BearingFilms, BearingFilmsError> {
     let sizes = bearing_sizes(engine);
@@ -131,15 +146,6 @@ fn films_at(
                 .map_or(Cavitation::Gumbel, model_of),
         );
     }
-    if wanted.contains(&Cavitation::MassConserving) {
-        wanted.retain(|model| *model != Cavitation::MassConserving);
-        if !wanted.contains(&Cavitation::Reynolds) {
-            wanted.push(Cavitation::Reynolds);
-        }
-        assumptions.push(
-            "orbits use tables, which mass-conserving films do not have: Reynolds' condition, their limit in a flooded bearing, is used".into(),
-        );
-    }
     let mut places = Vec::new();
     match sizes.main {
         Some(size) => places.extend(mains(engine, loads, size)),
@@ -153,43 +159,63 @@ fn films_at(
         assumptions
             .push(format!("diametral clearance where none is given: {ASSUMED_CLEARANCE} of the diameter"));
     }
-    if places.iter().any(|place| place.data.grooves.as_ref().is_some_and(|grooves| !grooves.is_empty())) {
-        assumptions.push("grooves and supply pressure are left out: they lower the load that a film carries and raise its flow".into());
-    }
+    let supply = engine.bearing_design.as_ref().and_then(|design| design.oil.supply_pressure);
+    let own: Vec<Vec<Feed>> = places.iter().map(|place| place.feeds(supply.unwrap_or(0.0))).collect();
+    assumptions.extend(words_of_feeds(&own, supply, grooves, wanted.contains(&Cavitation::MassConserving)));
+    let feeds = match grooves {
+        Grooves::Solved => own,
+        Grooves::LeftOut => vec![Vec::new(); places.len()],
+    };
     assumptions.push(
         "crank and shells rigid, journals parallel to them, without mass (quasi-static); indeterminate mains as in the table of loads".into(),
     );
-    let mut films = Vec::new();
-    for place in &places {
-        for &cavitation in &wanted {
-            let refused = |error| BearingFilmsError::Bearing { bearing: place.name(), error };
-            let bearing = place.bearing().map_err(refused)?;
+    let mut asked = Vec::new();
+    for (place, feeds) in places.iter().zip(&feeds) {
+        let refused = |error| BearingFilmsError::Bearing { bearing: place.name(), error };
+        let bearing = place.bearing().map_err(refused)?;
+        let mut models: Vec<Cavitation> = Vec::new();
+        for &model in &wanted {
+            // A film without a groove runs dry where its oil is kept.
+            let is_dry = model == Cavitation::MassConserving && feeds.is_empty();
+            let cavitation = if is_dry { Cavitation::Reynolds } else { model };
+            if models.contains(&cavitation) {
+                continue;
+            }
+            models.push(cavitation);
             let slenderness = bearing.slenderness();
             let known = |table: &FilmTable| {
                 table.cavitation() == cavitation && (table.slenderness() / slenderness - 1.0).abs() < 1e-9
             };
-            let index = match tables.iter().position(known) {
-                Some(index) => index,
+            let table = match tables.iter().position(known) {
+                _ if !feeds.is_empty() => None,
+                Some(index) => Some(index),
                 None => {
                     tables.push(FilmTable::new(slenderness, cavitation).map_err(refused)?);
-                    tables.len() - 1
+                    Some(tables.len() - 1)
                 }
             };
-            let request = BearingFilmRequest {
-                kind: place.kind,
-                crankshaft: place.crankshaft,
-                number: place.number,
-                bearing,
-                table: &tables[index],
-                cycle: &place.cycle,
-                shell: &place.shell,
-                period: loads.period,
-                roughness,
-                oil,
-            };
-            films.push(bearing_film(&request).map_err(refused)?);
+            asked.push((place, feeds, bearing, cavitation, table));
         }
     }
+    let film = |&(place, feeds, bearing, cavitation, table): &(&Place, &Vec<Feed>, _, _, Option<usize>)| {
+        let request = BearingFilmRequest {
+            kind: place.kind,
+            crankshaft: place.crankshaft,
+            number: place.number,
+            bearing,
+            source: match table.and_then(|index| tables.get(index)) {
+                Some(table) => FilmSource::Table(table),
+                None => FilmSource::Direct { cavitation, feeds },
+            },
+            cycle: &place.cycle,
+            shell: &place.shell,
+            period: loads.period,
+            roughness,
+            oil,
+        };
+        bearing_film(&request).map_err(|error| BearingFilmsError::Bearing { bearing: place.name(), error })
+    };
+    let films = asked.par_iter().map(film).collect::<Result<Vec<_>, _>>()?;
     Ok(BearingFilms {
         version: BEARING_FILMS_VERSION,
         engine: loads.engine.clone(),
@@ -198,6 +224,86 @@ fn films_at(
         films,
         assumptions,
     })
+}
+
+/// What of the file's clearances and oil no film can have: all of it at once, each with its bearing and what to do. A file that says nothing of films has none.
+pub fn film_faults(engine: &Engine) -> Vec<String> {
+    let Some(design) = &engine.bearing_design else { return Vec::new() };
+    let mut faults: Vec<String> = Vec::new();
+    let mut add = |error: BearingFilmsError| {
+        let words = error.to_string();
+        if !faults.contains(&words) {
+            faults.push(words);
+        }
+    };
+    if design.oil != Oil::default()
+        && let Err(error) = oil_of(engine, &mut Vec::new())
+    {
+        add(error);
+    }
+    let sizes = bearing_sizes(engine);
+    let mut check = |bearing: String, size: Option<BearingSize>, data: &BearingData| {
+        if let (Some(size), Some(_)) = (size, data.diametral_clearance)
+            && let Err(error) = bearing_of(size, data)
+        {
+            add(BearingFilmsError::Bearing { bearing, error });
+        }
+    };
+    // Bearings that are like all others are told once.
+    check("main bearings".into(), sizes.main, &design.main);
+    check("crankpin bearings".into(), sizes.crankpin, &design.crankpin);
+    for (index, own) in &design.main_each {
+        if own.diametral_clearance.is_some() || own.width.is_some() {
+            check(format!("main bearing {}", index + 1), sizes.main, &own.over(&design.main));
+        }
+    }
+    for (index, own) in &design.crankpin_each {
+        if own.diametral_clearance.is_some() || own.width.is_some() {
+            check(format!("big end of cylinder {}", index + 1), sizes.crankpin, &own.over(&design.crankpin));
+        }
+    }
+    faults
+}
+
+fn bearing_of(size: BearingSize, data: &BearingData) -> Result<JournalBearing, FilmError> {
+    let clearance = data.diametral_clearance.unwrap_or(ASSUMED_CLEARANCE * size.diameter);
+    JournalBearing::new(0.5 * size.diameter, data.width.unwrap_or(size.width), 0.5 * clearance)
+}
+
+/// What is said of grooves and the pressure that feeds them.
+fn words_of_feeds(
+    feeds: &[Vec<Feed>],
+    supply: Option<f64>,
+    grooves: Grooves,
+    is_conserving: bool,
+) -> Vec<String> {
+    let with_grooves = feeds.iter().filter(|own| !own.is_empty()).count();
+    let mut words = Vec::new();
+    match (with_grooves, grooves, supply) {
+        (0, _, None) => {}
+        (0, _, Some(_)) => {
+            words.push("the supply pressure acts in grooves, and the file gives none: it is left out".into());
+        }
+        (_, Grooves::LeftOut, _) => words.push(
+            "grooves and supply pressure are left out: they lower the load that a film carries and raise its flow".into(),
+        ),
+        (_, Grooves::Solved, Some(pressure)) => {
+            words.push(format!("grooves are fed with {:.4} bar above the surroundings", pressure / 1e5));
+        }
+        (_, Grooves::Solved, None) => words.push(
+            "grooves are fed with the pressure of the surroundings: no supply_pressure is given".into(),
+        ),
+    }
+    match grooves {
+        Grooves::Solved if is_conserving && with_grooves < feeds.len() => words.push(
+            "a film that keeps its oil needs a groove that feeds it: without one Reynolds' condition is used, its limit in a flooded bearing".into(),
+        ),
+        Grooves::LeftOut if is_conserving => words.push(
+            "orbits use tables, which mass-conserving films do not have: Reynolds' condition, their limit in a flooded bearing, is used".into(),
+        ),
+        _ => {}
+    }
+    words
 }
 
 /// A bearing with its load.
@@ -219,10 +325,21 @@ impl Place {
         }
     }
 
+    /// Its grooves, at this pressure [Pa].
+    fn feeds(&self, pressure: f64) -> Vec<Feed> {
+        let grooves = self.data.grooves.iter().flatten();
+        let feed = |own: &OilGroove| Feed::Groove {
+            from: own.from,
+            to: own.to,
+            middle: 0.0,
+            width: own.width,
+            pressure,
+        };
+        grooves.map(feed).collect()
+    }
+
     pub(crate) fn bearing(&self) -> Result<JournalBearing, FilmError> {
-        let diameter = self.size.diameter;
-        let clearance = self.data.diametral_clearance.unwrap_or(ASSUMED_CLEARANCE * diameter);
-        JournalBearing::new(0.5 * diameter, self.data.width.unwrap_or(self.size.width), 0.5 * clearance)
+        bearing_of(self.size, &self.data)
     }
 }
 

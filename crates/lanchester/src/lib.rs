@@ -44,7 +44,8 @@ mod torque_report;
 mod torsion_study;
 
 pub use bearing_films::{
-    BEARING_FILMS_VERSION, BearingFilms, BearingFilmsError, bearing_films, bearing_films_over_speed,
+    BEARING_FILMS_VERSION, BearingFilms, BearingFilmsError, Grooves, bearing_films, bearing_films_over_speed,
+    film_faults,
 };
 pub use bond_graph::{BondGraphError, BondGraphRequest, EngineBondGraph, engine_bond_graph, gauge_pressures};
 pub use comparison::{CompareEntry, CompareError, CompareRequest, ComparedWith, compare};
@@ -80,7 +81,7 @@ pub use lanchester_torsion as torsion;
 pub use lanchester_units as units;
 pub use lanchester_workshop as workshop;
 pub use layouts::*;
-pub use mounted::{MountSpeeds, MountedError, mounts};
+pub use mounted::{MountSpeeds, MountedError, mounts, mounts_with_rotors};
 pub use operating_point::{operating_point, sensitivity_amount};
 pub use parts::*;
 pub use pressure::*;

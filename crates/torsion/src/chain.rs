@@ -339,6 +339,20 @@ impl Chain {
         own.inertia * own.ratio * own.ratio
     }
 
+    /// Share of the strain energy of a shape (angles of the stations at their own speeds) that shafts of this kind hold, while the reference turns at
+    /// `speed` [rad/s]; 0 where nothing is strained.
+    pub fn strain_share(&self, shape: &[f64], kind: ShaftKind, speed: f64) -> f64 {
+        let angle = |station: usize| shape[station] / self.stations[station].ratio;
+        let energies = self.shafts.iter().enumerate().map(|(index, shaft)| {
+            let twist = angle(shaft.to) - angle(shaft.from);
+            (shaft.kind, self.referred_stiffness(index, speed) * twist * twist)
+        });
+        let (own, all) = energies.fold((0.0, 0.0), |(own, all), (of, energy)| {
+            (if of == kind { own + energy } else { own }, all + energy)
+        });
+        if all > 0.0 { own / all } else { 0.0 }
+    }
+
     /// Stiffness of a shaft at the reference, which turns at `speed` [rad/s] [N m/rad].
     pub fn referred_stiffness(&self, shaft: usize, speed: f64) -> f64 {
         let own = &self.shafts[shaft];

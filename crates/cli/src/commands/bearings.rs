@@ -16,7 +16,7 @@ use lanchester::report::{
     films_over_speed_figure, films_over_speed_table, films_text, words_before_tables,
 };
 use lanchester::task::option;
-use lanchester::{bearing_films, bearing_films_over_speed, bearing_report, bearing_sizes};
+use lanchester::{Grooves, bearing_films, bearing_films_over_speed, bearing_report, bearing_sizes};
 use serde::Serialize;
 
 /// Loads with counterweights, and without where the engine has some.
@@ -53,6 +53,8 @@ pub fn run(arguments: &BearingsArguments, colour: bool) -> Result<u8, Failure> {
     let loads = |part, counterweights| loads_at(speed, part, counterweights);
     if let Some(models) = &arguments.film {
         let models: Vec<Cavitation> = models.iter().map(|model| model_of(*model)).collect();
+        let with_grooves = arguments.grooves || models.contains(&Cavitation::MassConserving);
+        let grooves = if with_grooves { Grooves::Solved } else { Grooves::LeftOut };
         let draw = |figures: &[Figure]| match &arguments.figures {
             Some(folder) => write_figures(folder, &arguments.file, figures).map(drop),
             None => Ok(()),
@@ -65,11 +67,12 @@ pub fn run(arguments: &BearingsArguments, colour: bool) -> Result<u8, Failure> {
                     engine,
                     &loads.collect::<Result<Vec<_>, _>>()?,
                     &models,
+                    grooves,
                     arguments.format,
                     &draw,
                 )?
             }
-            None => films(engine, &loads(part, true)?, &models, arguments.format, &draw)?,
+            None => films(engine, &loads(part, true)?, &models, grooves, arguments.format, &draw)?,
         };
         print(&match arguments.format {
             Format::Text if arguments.printed.brief => arguments.printed.words(words_before_tables(&text)),
@@ -105,10 +108,11 @@ fn films(
     engine: &Engine,
     loads: &BearingLoads,
     models: &[Cavitation],
+    grooves: Grooves,
     format: Format,
     draw: &dyn Fn(&[Figure]) -> Result<(), Failure>,
 ) -> Result<String, Failure> {
-    let films = bearing_films(engine, loads, models).map_err(Failure::refused)?;
+    let films = bearing_films(engine, loads, models, grooves).map_err(Failure::refused)?;
     draw(&film_figures(films.period, &films.films))?;
     Ok(match format {
         Format::Text => films_text(&films.engine, films.speed, &films.films, &films.assumptions),
@@ -121,10 +125,11 @@ fn films_over_speed(
     engine: &Engine,
     loads: &[BearingLoads],
     models: &[Cavitation],
+    grooves: Grooves,
     format: Format,
     draw: &dyn Fn(&[Figure]) -> Result<(), Failure>,
 ) -> Result<String, Failure> {
-    let found = bearing_films_over_speed(engine, loads, models).map_err(Failure::refused)?;
+    let found = bearing_films_over_speed(engine, loads, models, grooves).map_err(Failure::refused)?;
     let by_speed: Vec<_> = found.iter().map(|films| (films.speed, films.films.as_slice())).collect();
     draw(&films_over_speed_figure(&by_speed).into_iter().collect::<Vec<_>>())?;
     let table = films_over_speed_table(&by_speed);
@@ -140,5 +145,6 @@ fn model_of(option: FilmOption) -> Cavitation {
         FilmOption::Full => Cavitation::Full,
         FilmOption::Gumbel => Cavitation::Gumbel,
         FilmOption::Reynolds => Cavitation::Reynolds,
+        FilmOption::MassConserving => Cavitation::MassConserving,
     }
 }

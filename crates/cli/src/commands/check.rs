@@ -6,10 +6,10 @@ use crate::failure::{DONE, Failure, WRONG_INPUT};
 use crate::files::{print, read_source, tell};
 use crate::format::Format;
 use crate::trace_files::{read_torques, trace_files};
-use lanchester::cylinder_gas;
 use lanchester::file::{Diagnostic, Severity, read, render};
 use lanchester::model::Engine;
 use lanchester::report::csv_text;
+use lanchester::{cylinder_gas, film_faults};
 use serde::Serialize;
 use std::path::Path;
 
@@ -23,6 +23,8 @@ struct Checked {
     diagnostics: Vec<Diagnostic>,
     /// What is wrong or doubtful with the gas, which only its computation tells.
     gas: Vec<String>,
+    /// What of clearances and oil no film can have.
+    films: Vec<String>,
 }
 
 pub fn run(arguments: &CheckArguments, colour: bool) -> Result<u8, Failure> {
@@ -56,8 +58,10 @@ pub fn run(arguments: &CheckArguments, colour: bool) -> Result<u8, Failure> {
         if has_gas_error {
             status = WRONG_INPUT;
         }
+        let films = reading.file.as_ref().map_or_else(Vec::new, |file| film_faults(&file.engine));
+        let films: Vec<String> = films.iter().map(|fault| format!("warning: {fault}")).collect();
         if arguments.format == Format::Text {
-            for message in &gas {
+            for message in gas.iter().chain(&films) {
                 tell(format_args!("{message}\n"));
             }
         }
@@ -67,6 +71,7 @@ pub fn run(arguments: &CheckArguments, colour: bool) -> Result<u8, Failure> {
             engine: reading.file.map(|file| file.engine.name.clone()),
             diagnostics: reading.diagnostics,
             gas,
+            films,
         });
     }
     print(&match arguments.format {
@@ -96,8 +101,8 @@ fn text(checked: &[Checked]) -> String {
         let errors =
             file.diagnostics.iter().filter(|diagnostic| diagnostic.severity == Severity::Error).count();
         let (errors, warnings) = match (file.valid, &file.engine) {
-            (true, _) => (errors, file.diagnostics.len() - errors + file.gas.len()),
-            (false, Some(_)) => (file.gas.len(), file.diagnostics.len()),
+            (true, _) => (errors, file.diagnostics.len() - errors + file.gas.len() + file.films.len()),
+            (false, Some(_)) => (file.gas.len(), file.diagnostics.len() + file.films.len()),
             (false, None) => (errors, file.diagnostics.len() - errors),
         };
         let verdict = match &file.engine {
@@ -128,6 +133,15 @@ fn csv(checked: &[Checked]) -> String {
                 csv_text(&diagnostic.message),
                 csv_text(diagnostic.hint.as_deref().unwrap_or_default()),
             );
+        }
+        for message in file.gas.iter().chain(&file.films) {
+            let (severity, words) = match message.strip_prefix("warning: ") {
+                Some(words) => ("warning", words),
+                None => ("error", message.as_str()),
+            };
+            let (words, hint) = words.split_once("\nhint: ").unwrap_or((words, ""));
+            out +=
+                &format!("{},{severity},,,,{},{}\n", csv_text(&file.file), csv_text(words), csv_text(hint));
         }
     }
     out

@@ -93,6 +93,10 @@ pub struct BearingsArguments {
     /// default: that of the file, else gumbel.
     #[arg(long, value_enum, value_name = "MODELS", num_args = 0..=1, value_delimiter = ',')]
     pub film: Option<Vec<FilmOption>>,
+    /// With `--film`: with the grooves of the file and their supply pressure. The film of a bearing with grooves is then solved at every instant, which takes
+    /// seconds; `--film mass-conserving` asks for it too.
+    #[arg(long, requires = "film")]
+    pub grooves: bool,
     /// With `--film`: the least films at these speeds of crankshaft 1, a list or a range, like `1000 rpm .. 6000 rpm by 250 rpm`.
     #[arg(long, value_name = "SPEEDS", requires = "film", conflicts_with = "speed")]
     pub speeds: Option<String>,
@@ -116,6 +120,8 @@ pub enum FilmOption {
     Gumbel,
     /// Pressure and its slope vanish together.
     Reynolds,
+    /// The oil is kept where the film has none too; for bearings with grooves.
+    MassConserving,
 }
 
 /// Which loads count.

@@ -6,8 +6,8 @@ use super::words::split_hint;
 use crate::bearing_films::{Place, big_ends, mains, model_of, oil_of};
 use crate::torque_report::bearing_sizes;
 use lanchester_film::{
-    BearingFilmRequest, BearingKind, Cavitation, FilmError, FilmOil, FilmTable, JournalBearing, OrbitOutcome,
-    OrbitRequest, bearing_film, orbit_least_film,
+    BearingFilmRequest, BearingKind, Cavitation, FilmError, FilmOil, FilmSource, FilmTable, JournalBearing,
+    OrbitOutcome, OrbitRequest, bearing_film, orbit_least_film,
 };
 use lanchester_mechanism::{BearingPart, BearingRequest, bearing_loads};
 use lanchester_model::Engine;
@@ -275,7 +275,7 @@ impl EngineDurability<'_> {
                     crankshaft: place.crankshaft,
                     number: place.number,
                     bearing,
-                    table,
+                    source: FilmSource::Table(table),
                     cycle: &place.cycle,
                     shell: &place.shell,
                     period,

@@ -3,7 +3,7 @@
 use lanchester::film::{BearingFilm, BearingKind, Cavitation, OrbitOutcome};
 use lanchester::mechanism::{BearingLoads, BearingRequest};
 use lanchester::model::Engine;
-use lanchester::{BearingFilms, bearing_films, bearing_report};
+use lanchester::{BearingFilms, Grooves, bearing_films, bearing_report, film_faults};
 
 const FOUR: &str = include_str!("../../../../examples/in-line-4-crank-by-elements.toml");
 
@@ -18,7 +18,7 @@ fn loads(engine: &Engine) -> BearingLoads {
 
 fn films(text: &str) -> BearingFilms {
     let engine = engine(text);
-    bearing_films(&engine, &loads(&engine), &[Cavitation::Gumbel]).expect("films")
+    bearing_films(&engine, &loads(&engine), &[Cavitation::Gumbel], Grooves::LeftOut).expect("films")
 }
 
 fn of(films: &BearingFilms, kind: BearingKind) -> Vec<&BearingFilm> {
@@ -86,7 +86,7 @@ fn thicker_oil_makes_thicker_films_and_a_grade_finds_its_temperature() {
 fn bad_input_names_bearing_and_remedy() {
     let refused = |text: &str| {
         let engine = engine(text);
-        bearing_films(&engine, &loads(&engine), &[]).expect_err("bad").to_string()
+        bearing_films(&engine, &loads(&engine), &[], Grooves::LeftOut).expect_err("bad").to_string()
     };
     let olive =
         refused(&FOUR.replace("viscosity = \"10 mPa s\"", "oil = \"olive\"\ntemperature = \"90 degC\""));
@@ -101,4 +101,55 @@ fn bad_input_names_bearing_and_remedy() {
     );
     let bare = refused(include_str!("../../../../examples/in-line-4.toml"));
     assert!(bare.contains("[bearings.main]"), "{bare}");
+}
+
+/// The grooves of the file, with what feeds them: the upper half of the mains' shells has one, which takes oil and pressure where the load does not press.
+#[test]
+fn grooves_and_the_oil_that_is_kept() {
+    let engine = engine(&FOUR.replace("[bearings.film]", "[bearings.film]\nsupply_pressure = \"4 bar\""));
+    let request = BearingRequest { speed: Some(314.0), samples: 90, ..BearingRequest::default() };
+    let loads = bearing_report(&engine, &[], &request).expect("loads");
+    let models = [Cavitation::Reynolds, Cavitation::MassConserving];
+    let plain = bearing_films(&engine, &loads, &models, Grooves::LeftOut).expect("films");
+    assert_eq!(plain.films.len(), 9, "both are Reynolds' condition");
+    let solved = bearing_films(&engine, &loads, &models, Grooves::Solved).expect("films");
+    // The crankpins have no groove.
+    assert_eq!((of(&solved, BearingKind::Main).len(), of(&solved, BearingKind::Crankpin).len()), (10, 4));
+    assert!(
+        solved.assumptions.iter().any(|words| words.contains("fed with 4.0000 bar")),
+        "{:?}",
+        solved.assumptions
+    );
+    let mains = of(&solved, BearingKind::Main);
+    for pair in mains.chunks(2) {
+        let [reynolds, kept] = pair else { panic!("two models") };
+        assert_eq!(
+            (reynolds.cavitation, kept.cavitation),
+            (Cavitation::Reynolds, Cavitation::MassConserving)
+        );
+        for film in pair {
+            assert_eq!(film.orbit.outcome, OrbitOutcome::Periodic, "{} {}", film.number, film.orbit.change);
+            assert!(film.orbit.feed_flow > 0.0, "{:?}", film.orbit);
+        }
+        let without = of(&plain, BearingKind::Main)[reynolds.number - 1];
+        assert!(reynolds.orbit.least_film < without.orbit.least_film, "{}", reynolds.number);
+        assert!(reynolds.orbit.side_flow > without.orbit.side_flow, "{}", reynolds.number);
+        let balance = kept.orbit.side_flow / kept.orbit.feed_flow;
+        assert!((balance - 1.0).abs() < 0.01, "{}: {balance}", kept.number);
+    }
+}
+
+/// `check` tells all that no film can have, at once.
+#[test]
+fn implausible_clearances_and_oils_are_told_together() {
+    assert_eq!(film_faults(&engine(FOUR)), Vec::<String>::new());
+    let wrong = FOUR
+        .replacen("diametral_clearance = \"0.06 mm\"", "diametral_clearance = \"26 mm\"", 1)
+        .replace("viscosity = \"10 mPa s\"", "oil = \"SAE 99\"\ntemperature = \"100 degC\"");
+    let faults = film_faults(&engine(&wrong));
+    assert!(faults.iter().any(|words| words.contains("\"SAE 99\"")), "{faults:?}");
+    assert!(
+        faults.iter().any(|words| words.contains("main bearings: the diametral clearance")),
+        "{faults:?}"
+    );
 }

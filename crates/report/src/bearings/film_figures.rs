@@ -232,7 +232,7 @@ fn thickness(period: f64, bearings: &[OneBearing<'_>]) -> Figure {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use lanchester_film::{BearingFilmRequest, bearing_film};
+    use lanchester_film::{BearingFilmRequest, FilmSource, bearing_film};
     use lanchester_film::{Cavitation, FilmOil, FilmTable, JournalBearing, JournalCycle, OrbitOutcome};
 
     /// A big end whose rod swings: the load turns with the rod, so that the orbit stands still in the shell.
@@ -253,7 +253,7 @@ mod tests {
             crankshaft: 1,
             number: 1,
             bearing,
-            table: &table,
+            source: FilmSource::Table(&table),
             cycle: &cycle,
             shell: &rod,
             period: TAU,

@@ -29,7 +29,13 @@ pub(crate) struct XyPlot<'a> {
 impl XyPlot<'_> {
     /// Draws it.
     pub fn panel(&self) -> Panel {
-        let all = || self.curves.iter().flat_map(|curve| curve.points.iter().copied());
+        self.panel_with_rays("", &[])
+    }
+
+    /// The same with straight lines from the origin to points in SI, each with its own name at its end and all with one in the legend.
+    pub fn panel_with_rays(&self, together: &str, rays: &[(String, (f64, f64))]) -> Panel {
+        let ends = || rays.iter().map(|(_, end)| *end);
+        let all = || self.curves.iter().flat_map(|curve| curve.points.iter().copied()).chain(ends());
         let range = |values: &mut dyn Iterator<Item = f64>| {
             values
                 .filter(|v| v.is_finite())
@@ -47,8 +53,11 @@ impl XyPlot<'_> {
             [Scale::of(largest(x_range), self.units[0]), Scale::of(largest(y_range), self.units[1])];
         let x_axis = Axis::of(x_range.0 / x_scale.divisor, x_range.1 / x_scale.divisor, 6);
         let y_axis = Axis::of(y_range.0 / y_scale.divisor, y_range.1 / y_scale.divisor, 6);
-        let names: Vec<(String, usize)> =
+        let mut names: Vec<(String, usize)> =
             self.curves.iter().filter(|c| !c.dots).map(|c| (c.name.clone(), c.style)).collect();
+        if !rays.is_empty() {
+            names.push((together.to_owned(), RAY));
+        }
         let legend = Legend::of(&names, 4.0, WIDTH + 10.0);
         let top = 26.0 + legend.height;
         let plot = if self.polar.is_some() { WIDTH - LEFT - RIGHT } else { HEIGHT - 26.0 - BOTTOM };
@@ -65,13 +74,17 @@ impl XyPlot<'_> {
         }
         let middle = ((LEFT + right) / 2.0, bottom + 37.0);
         svg.text("muted small", middle, Anchor::Middle, &format!("{} [{}]", self.abscissa, x_scale.unit));
+        let place = |&(x, y): &(f64, f64)| {
+            (x_axis.place(x / x_scale.divisor, LEFT, right), y_axis.place(y / y_scale.divisor, bottom, top))
+        };
+        for (name, end) in rays {
+            let (from, to) = (place(&(0.0, 0.0)), place(end));
+            svg.line(&format!("s{RAY}"), from, to);
+            // Beside the line, a little before its end.
+            let at = (from.0 + 0.985 * (to.0 - from.0), from.1 + 0.985 * (to.1 - from.1));
+            svg.text("small", (at.0 - 4.0, at.1 + 3.0), Anchor::End, name);
+        }
         for curve in self.curves.iter().rev() {
-            let place = |&(x, y): &(f64, f64)| {
-                (
-                    x_axis.place(x / x_scale.divisor, LEFT, right),
-                    y_axis.place(y / y_scale.divisor, bottom, top),
-                )
-            };
             if curve.dots {
                 curve.points.iter().for_each(|point| svg.circle("pin", place(point), 4.0));
             } else {
@@ -79,7 +92,11 @@ impl XyPlot<'_> {
                 svg.path(&format!("s{}", curve.style.min(5)), &Path::through(thinned(&points)));
             }
         }
-        let said: Vec<&str> = self.curves.iter().map(|c| c.name.as_str()).collect();
+        let mut said: Vec<&str> = self.curves.iter().map(|c| c.name.as_str()).collect();
+        if !rays.is_empty() {
+            said.push(together);
+            said.extend(rays.iter().map(|(name, _)| name.as_str()));
+        }
         let description = format!(
             "{} over {}: {}; from {} to {} {}.",
             self.ordinate,
@@ -92,6 +109,9 @@ impl XyPlot<'_> {
         Panel::new(svg, description)
     }
 }
+
+/// Style of rays.
+const RAY: usize = 5;
 
 /// How far a curve may depart from the line through the points that are kept [px].
 const DEPARTURE: f64 = 0.15;

@@ -64,26 +64,22 @@ fn campbell(result: &TorsionResult) -> Figure {
     let mut orders: Vec<f64> = met.iter().map(|own| own.order).collect();
     orders.sort_by(f64::total_cmp);
     orders.dedup();
-    for order in orders {
+    let ray = |order: &f64| {
         let end = (highest / order).min(last);
-        let points = vec![(0.0, 0.0), (number::rpm(end), order * end / std::f64::consts::TAU)];
-        curves.push(XyCurve {
-            name: format!("order {}", number::order(order)),
-            style: 5,
-            points,
-            dots: false,
-        });
-    }
+        (number::order(*order), (number::rpm(end), order * end / std::f64::consts::TAU))
+    };
+    let rays: Vec<(String, (f64, f64))> = orders.iter().map(ray).collect();
     let points =
         met.iter().map(|own| (number::rpm(own.speed), own.frequency / std::f64::consts::TAU)).collect();
     curves.push(XyCurve { name: "strongest critical speeds".into(), style: 0, points, dots: true });
     let plot = XyPlot { abscissa: "speed", ordinate: "Frequency", units: ["rpm", "Hz"], polar: None, curves };
-    one(
-        "torsion-campbell",
-        "Campbell diagram",
-        "Natural frequencies and orders over the speed; dots where the strongest orders meet a natural frequency.",
-        &plot,
-    )
+    Figure {
+        id: "torsion-campbell".to_owned(),
+        title: "Campbell diagram".to_owned(),
+        caption: "Natural frequencies and orders over the speed, each order with its number; dots where the strongest orders meet a natural frequency.".to_owned(),
+        panels: vec![plot.panel_with_rays("orders", &rays)],
+        columns: 1,
+    }
 }
 
 /// Curves of the strongest orders over speed, with the total before them.

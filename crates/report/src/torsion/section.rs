@@ -10,7 +10,7 @@ use crate::kit::number;
 use crate::kit::paragraph::push_wrapped;
 use crate::kit::section::Section;
 use crate::kit::table::Table;
-use lanchester_torsion::{TuneFree, peak};
+use lanchester_torsion::{Mode, ShaftKind, TuneFree, peak};
 
 const DEGREES: f64 = 180.0 / std::f64::consts::PI;
 
@@ -20,8 +20,23 @@ impl TorsionResult {
         let sweep = &self.sweep;
         let rpm = |index: usize| number::terminal(number::rpm(sweep.speeds[index]), 0);
         let mut out = String::new();
-        if let Some(mode) = self.modes.first() {
-            out += &format!("The first natural frequency is {} Hz. ", number::short(mode.hertz(), 4));
+        let speed = sweep.speeds.last().copied().unwrap_or(0.0);
+        let twists = |mode: &Mode| self.crank.chain.strain_share(&mode.shape, ShaftKind::Shaft, speed) > 0.5;
+        match self.modes.iter().position(twists) {
+            Some(0) | None => {
+                if let Some(mode) = self.modes.first() {
+                    out += &format!("The first natural frequency is {} Hz. ", number::short(mode.hertz(), 4));
+                }
+            }
+            Some(index) => {
+                let below: Vec<String> =
+                    self.modes[..index].iter().map(|mode| number::short(mode.hertz(), 4)).collect();
+                out += &format!(
+                    "The first natural frequency in which the crankshaft twists is {} Hz; below it couplings, damper or pendulums give way at {} Hz. ",
+                    number::short(self.modes[index].hertz(), 4),
+                    below.join(", ")
+                );
+            }
         }
         let (at, twist) = peak(&sweep.twist.total);
         out += &format!(

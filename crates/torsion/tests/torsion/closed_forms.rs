@@ -1,6 +1,6 @@
 //! Chains with closed solutions.
 
-use lanchester_torsion::{Chain, Pendulum, Shaft, Station, StationKind, damped_modes, modes};
+use lanchester_torsion::{Chain, Pendulum, Shaft, ShaftKind, Station, StationKind, damped_modes, modes};
 use std::f64::consts::PI;
 
 /// Equal discs on equal shafts, free ends: w = 2 sqrt(k/J) sin(r pi / (2 n)).
@@ -34,6 +34,30 @@ fn gears_count_by_the_square_of_their_ratio() {
     // Shape: J_1 phi_1 + J_2 rho^2 phi_2 = 0, own angle rho phi_2.
     let expected = -2.0 / (0.1 * ratio);
     assert!((mode.shape[1] / mode.shape[0] - expected).abs() < 1e-12 * expected.abs(), "momentum");
+}
+
+/// A soft coupling holds the strain of the lowest mode, the shaft before it that of the next; the twists of equal torque are as the flexibilities.
+#[test]
+fn strain_is_where_the_chain_gives_way() {
+    let station = |name: &str, inertia: f64| Station::new(name, StationKind::Other, inertia);
+    let stations = vec![station("nose", 0.02), station("flywheel", 0.2), station("load", 1.0)];
+    let shafts = vec![
+        Shaft::new("crank", 0, 1, 1e5),
+        Shaft { kind: ShaftKind::Coupling, ..Shaft::new("clutch", 1, 2, 1e3) },
+    ];
+    let chain = Chain::new(stations, shafts).unwrap();
+    let found = modes(&chain, 0.0).unwrap();
+    let share = |mode: usize, kind| chain.strain_share(&found[mode].shape, kind, 0.0);
+    assert!(share(0, ShaftKind::Coupling) > 0.99 && share(1, ShaftKind::Shaft) > 0.99);
+    for mode in 0..2 {
+        let both = share(mode, ShaftKind::Coupling) + share(mode, ShaftKind::Shaft);
+        assert!((both - 1.0).abs() < 1e-12, "{both}");
+        // k times the square of the twist, of the shape itself.
+        let shape = &found[mode].shape;
+        let [crank, clutch] = [1e5 * (shape[1] - shape[0]).powi(2), 1e3 * (shape[2] - shape[1]).powi(2)];
+        assert!((share(mode, ShaftKind::Shaft) - crank / (crank + clutch)).abs() < 1e-12);
+    }
+    assert_eq!(chain.strain_share(&[1.0; 3], ShaftKind::Shaft, 0.0), 0.0);
 }
 
 /// Two discs on a shaft with viscous damping: s^2 + c g s + k g = 0, g = 1/J_1 + 1/J_2, beside rigid turning.

@@ -1,7 +1,9 @@
 //! Laws of the bearings from the engine file.
 
 use super::train::Bearing;
-use crate::bearing_films::{ASSUMED_CLEARANCE, BearingFilms, BearingFilmsError, bearing_films, model_of};
+use crate::bearing_films::{
+    ASSUMED_CLEARANCE, BearingFilms, BearingFilmsError, Grooves, bearing_films, model_of,
+};
 use crate::stress::request::StressError;
 use lanchester_film::{BearingFilm, Cavitation, FilmTable, JournalBearing};
 use lanchester_flex::train::TrainLaw;
@@ -39,7 +41,8 @@ impl BearingLaws {
             cavitation = Cavitation::Reynolds;
         }
         if has(BearingLaw::Film) {
-            let BearingFilms { films: found, assumptions, .. } = bearing_films(engine, loads, &[cavitation])?;
+            let BearingFilms { films: found, assumptions, .. } =
+                bearing_films(engine, loads, &[cavitation], Grooves::LeftOut)?;
             for (place, film) in places.iter().zip(&mut films) {
                 *film =
                     found.iter().find(|own| own.kind == place.kind && own.number == place.number).cloned();
