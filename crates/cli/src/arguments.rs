@@ -331,10 +331,10 @@ pub struct NewArguments {
 #[derive(Debug, Clone, Args)]
 pub struct RequestArguments {
     /// Speed of crankshaft 1, with its unit; default: the highest speed of the file.
-    #[arg(long, value_name = "SPEED", allow_hyphen_values = true)]
+    #[arg(long, value_name = "SPEED")]
     pub speed: Option<String>,
     /// Point that couples and roll moment are about, `x, y, z` with units; default: the origin of the frame.
-    #[arg(long, value_name = "POINT", allow_hyphen_values = true)]
+    #[arg(long, value_name = "POINT")]
     pub about: Option<String>,
     /// Motion of the pistons: `exact`; `orders:N`, exact coefficients up to order N; `power:N:P`, the literature's
     /// series up to order N with powers of the rod ratio up to P.
@@ -349,7 +349,7 @@ pub struct RequestArguments {
     pub grid: Option<u32>,
     /// Share of the reciprocating forces that counts in shear and bending of the crankshaft, `0 %` to `100 %`; all of
     /// them are tabulated beside it.
-    #[arg(long, value_name = "SHARE", default_value = "0 %", allow_hyphen_values = true)]
+    #[arg(long, value_name = "SHARE", default_value = "0 %")]
     pub bending_share: String,
 }
 
@@ -454,11 +454,11 @@ pub struct BalanceArguments {
     #[command(flatten)]
     pub robust: RobustArguments,
     /// Largest cost of the weights and shafts that are used, in the unit of `fixed_cost` and `cost_per_kg` of [balance].
-    #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
+    #[arg(long, value_name = "NUMBER")]
     pub budget: Option<String>,
     /// What a stage may lose for those after it: `force = 1 %` of its least value, or `force = 5 N`; without a name, in the order
     /// of the stages. May be given several times.
-    #[arg(long, value_name = "STAGE = SHARE", allow_hyphen_values = true)]
+    #[arg(long, value_name = "STAGE = SHARE")]
     pub give_up: Vec<String>,
     /// Speed at which forces at mounts with springs and loads with gas are judged, such as `2000 rpm`; may be given several times, the largest
     /// counts, each times its weight where it has one: `2000 rpm * 2`. Default: the whole range of the engine, resonances included. All
@@ -477,7 +477,7 @@ pub struct BalanceArguments {
     #[arg(long, value_enum)]
     pub counterweights: Option<CrankWeights>,
     /// Largest unbalance of every free weight on the crankshaft, or `what fits`: what shapes and clearance allow on its web.
-    #[arg(long, value_name = "UNBALANCE", allow_hyphen_values = true)]
+    #[arg(long, value_name = "UNBALANCE")]
     pub most: Option<String>,
     /// Step in which every free weight on a crankshaft is made: an unbalance such as `200 g mm`, or a mass such as `5 g` at the radius
     /// that [balance] gives.
@@ -498,7 +498,7 @@ pub struct BalanceArguments {
     /// One more free balance shaft: `RATIO @ x, y @ z` or `RATIO @ x, y @ z1, z2`; a ratio below 0 turns against the
     /// crank. A coordinate may be a range to be optimised over, `50 mm .. 100 mm`; behind one more `@` may stand `optional`,
     /// `least 0.01 kg m`, `most 0.02 kg m` with commas between. May be given several times.
-    #[arg(long, value_name = "SHAFT", allow_hyphen_values = true)]
+    #[arg(long, value_name = "SHAFT")]
     pub shaft: Vec<String>,
     /// How far a search over choices goes.
     #[command(flatten)]

@@ -21,7 +21,7 @@ mod trace_files;
 mod watch;
 
 use arguments::{Arguments, Colour, Command};
-use clap::Parser;
+use clap::{Arg, CommandFactory, FromArgMatches};
 use std::io::IsTerminal;
 use std::process::ExitCode;
 
@@ -49,8 +49,19 @@ fn without_progress(command: &Command) -> Option<&'static str> {
     })
 }
 
+/// The command line with options whose value may begin with a sign: what a negative value means there is for its command to say.
+fn with_negative_values(command: clap::Command) -> clap::Command {
+    let with_sign = |option: Arg| {
+        let takes_one =
+            !option.is_positional() && option.get_action().takes_values() && option.get_num_args().is_none();
+        if takes_one { option.allow_hyphen_values(true) } else { option }
+    };
+    command.mut_args(with_sign).mut_subcommands(with_negative_values)
+}
+
 fn main() -> ExitCode {
-    let arguments = Arguments::parse();
+    let matches = with_negative_values(Arguments::command()).get_matches();
+    let arguments = Arguments::from_arg_matches(&matches).unwrap_or_else(|error| error.exit());
     let colour = match arguments.colour {
         Colour::Always => true,
         Colour::Never => false,

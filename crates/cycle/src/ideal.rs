@@ -1,7 +1,7 @@
-//! Ideal cycles of a perfect gas on the exact volume of the engine's own mechanism: Otto, Diesel, Seiliger.
+//! Ideal cycles of a perfect gas on the exact volume of the engine's own mechanism: Otto, Diesel, Seiliger, and a closed cylinder.
 //!
 //! Compression and expansion are isentropic, heat is released at top dead centre, valves open and close at dead centres and pressures level
-//! at once. The cylinder holds fresh gas alone, of the state before the intake. (Book, eqs. 28.2 to 28.7; [Heywood1988] ch. 5.)
+//! at once. The cylinder holds fresh gas alone, of the state before the intake. A closed cylinder is compressed and expands in every revolution. (Book, eqs. 28.2 to 28.7; [Heywood1988] ch. 5.)
 
 use crate::error::CycleError;
 use crate::pieces::Pieces;
@@ -27,7 +27,7 @@ pub struct IdealCycle {
     pub cut_off_angle: f64,
     /// Start of compression, its end, after heat at constant volume, after heat at constant pressure, end of expansion.
     pub states: [GasState; 5],
-    /// Work of the closed part over the heat: `1 - (T_5 - T_1)/(heat/(m c_v))`.
+    /// Work of the closed part over the heat: `1 - (T_5 - T_1)/(heat/(m c_v))`; 0 without heat.
     pub efficiency: f64,
     /// Work of the closed part [J], from the temperatures.
     pub closed_work: f64,
@@ -103,6 +103,7 @@ pub fn ideal_cycle(cycle: &GasCycle, volume: &CylinderVolume) -> Result<IdealCyc
             }
             [at_volume, all - at_volume]
         }
+        GasProcess::Sealed => [0.0, 0.0],
         GasProcess::SingleZone(_) => return Err(CycleError::NotIdeal),
     };
     let heat = at_volume + at_pressure;
@@ -142,8 +143,13 @@ pub fn ideal_cycle(cycle: &GasCycle, volume: &CylinderVolume) -> Result<IdealCyc
     }
     pieces.smooth(cut_off_angle, bottom, &isentrope(hot));
     if volume.cycle() > TAU {
-        pieces.constant(bottom, cycle.exhaust.pressure);
-        pieces.constant(TAU, cycle.intake.pressure);
+        if cycle.process == GasProcess::Sealed {
+            pieces.smooth(bottom, TAU, &isentrope(start));
+            pieces.smooth(TAU, TAU + bottom, &isentrope(start));
+        } else {
+            pieces.constant(bottom, cycle.exhaust.pressure);
+            pieces.constant(TAU, cycle.intake.pressure);
+        }
     }
     pieces.smooth(volume.cycle() - TAU + bottom, volume.cycle(), &isentrope(start));
     Ok(IdealCycle {
@@ -153,7 +159,7 @@ pub fn ideal_cycle(cycle: &GasCycle, volume: &CylinderVolume) -> Result<IdealCyc
         constant_volume_share: if heat > 0.0 { at_volume / heat } else { 1.0 },
         cut_off_angle,
         states: [start, compressed, at_top, hot, expanded],
-        efficiency: closed_work / heat,
+        efficiency: if heat > 0.0 { closed_work / heat } else { 0.0 },
         closed_work,
     })
 }

@@ -4,6 +4,7 @@ use crate::inertias::rotating_bodies;
 use crate::pressure::cylinders::cylinder_gas;
 use crate::pressure::error::GasError;
 use crate::pressure::measured::TraceFile;
+use lanchester_mechanism::RotorEffects;
 use lanchester_mechanism::{
     GasTrain, Lever, MountError, MountRequest, MountStudy, MountSystem, TorqueError, inertia_excitations,
     merged_orders, mount_study, rotor_inertia_about_z,
@@ -72,6 +73,21 @@ pub fn mounts(
     gas: Option<&[TraceFile]>,
     points: &[[f64; 3]],
 ) -> Result<MountStudy, MountedError> {
+    mounts_with_rotors(engine, speeds, max_order, gas, points, RotorEffects::BOTH)
+}
+
+/// The same with these of the rotors' effects: without them, that is what a block does whose rotors are held fast in it.
+///
+/// # Errors
+/// As [`mounts`].
+pub fn mounts_with_rotors(
+    engine: &Engine,
+    speeds: &MountSpeeds,
+    max_order: u32,
+    gas: Option<&[TraceFile]>,
+    points: &[[f64; 3]],
+    effects: RotorEffects,
+) -> Result<MountStudy, MountedError> {
     // What cannot be held is refused before any gas is computed.
     MountSystem::new(engine)?;
     let mut excitations = inertia_excitations(engine, &speeds.of(engine), max_order)?;
@@ -100,7 +116,7 @@ pub fn mounts(
         ));
     }
     let rotors = Some(rotor_inertia_about_z(&rotating_bodies(engine)));
-    let request = MountRequest { points: points.to_vec(), excitation: words, warnings, rotors };
+    let request = MountRequest { points: points.to_vec(), excitation: words, warnings, rotors, effects };
     Ok(mount_study(engine, &excitations, &request)?)
 }
 

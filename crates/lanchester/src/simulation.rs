@@ -2,6 +2,7 @@
 
 pub(crate) mod crank_bodies;
 pub(crate) mod gas_torque;
+mod heat;
 pub(crate) mod plan;
 pub(crate) mod prepared;
 
@@ -86,6 +87,8 @@ pub fn simulate_watched(
     let on_mounts = simulation.block == BlockMotion::Mounts;
     let named = input.map_or(&[][..], |input| &input.points).iter().chain(&request.points);
     let points = named.map(|point| motion_of(point, &run)).collect();
+    let heat =
+        given.as_ref().and_then(|_| heat::period_heat(engine, traces, &simulation, &run, train.revolutions));
     let gears = train.rotors.iter().skip(1).map(|rotor| rotor.name.clone()).collect();
     Ok(SimulationResult {
         version: SIMULATION_VERSION,
@@ -104,6 +107,7 @@ pub fn simulate_watched(
         periodic,
         every,
         gears,
+        heat,
         points,
         run,
     })

@@ -28,5 +28,6 @@ pub use error::MountError;
 pub use excitation::{Excitation, inertia_excitations};
 pub use result::*;
 pub use rotor_inertia::rotor_inertia_about_z;
+pub use rotors::RotorEffects;
 pub use study::{MountRequest, mount_study};
 pub use system::MountSystem;

@@ -341,7 +341,7 @@ impl<'a> Powered<'a> {
         // Held by dry friction the crank feels neither it nor a load of its own: what they must give is found below.
         let held = self.conditions.held;
         let angle = layout.links.checked_sub(1).map_or(theta, |last| state[layout.link(last)]);
-        let over_angle_alone = matches!(self.conditions.load, LoadLaw::Angle { .. });
+        let over_angle_alone = self.conditions.load.is_over_angle();
         let of_law = if held && ends.is_none() && !over_angle_alone {
             0.0
         } else {

@@ -96,7 +96,7 @@ impl Train {
         let outcome = runner.go(|runner, kept| {
             runner.take(kept, &mut samples, |powered, theta, state| auditor.look(powered, theta, state));
         });
-        let (audit, energy) = auditor.close(&mut runner);
+        let (audit, energy, last_period) = auditor.close(&mut runner);
         let tolerances = simulation.tolerances_at(simulation.start_speed.abs().max(1.0), runner.scale);
         Ok(Run {
             version: RUN_VERSION,
@@ -106,6 +106,7 @@ impl Train {
             samples,
             events: runner.happened,
             energy,
+            last_period,
             audit,
             cost: runner.cost,
             tolerances,

@@ -1,9 +1,10 @@
 //! What a run is asked: start, drive, load, starter, governor, driveline, events. All in SI units and radians.
 
 use crate::reactions::Guidance;
+use lanchester_model::periodic_value;
 pub use lanchester_model::{
-    Action, DrivelineInertia, Event, Governor, ImposedAgainst, LoadLaw, ReactsOn, RunLoad as Load, Starter,
-    StateTolerances, TorqueOrder, When,
+    Action, DrivelineInertia, Event, Governor, ImposedAgainst, LoadCurve, LoadLaw, ReactsOn, RunLoad as Load,
+    Starter, StateTolerances, TorqueOrder, When,
 };
 use serde::Serialize;
 
@@ -198,7 +199,7 @@ pub enum BlockMotion {
 }
 
 /// Torque of a load against the rotation at `speed` [rad/s] and `angle` [rad] of the shaft that it sits on [N m], with the sign of the speed;
-/// a table over the angle acts against positive rotation at any speed.
+/// what depends on the angle acts against positive rotation at any speed.
 pub fn load_torque(law: &LoadLaw, speed: f64, angle: f64) -> f64 {
     let size = speed.abs();
     let amount = match law {
@@ -208,7 +209,8 @@ pub fn load_torque(law: &LoadLaw, speed: f64, angle: f64) -> f64 {
         LoadLaw::Quadratic { torque, at } => torque * (size / at).powi(2),
         LoadLaw::Power { power, least_speed } => power / size.max(*least_speed),
         LoadLaw::Table(points) => straight(points, size),
-        LoadLaw::Angle { period, points } => return periodic(points, *period, angle),
+        LoadLaw::Angle { period, points } => return periodic_value(points, *period, angle),
+        LoadLaw::Map { period, curves } => return mapped(curves, *period, size, angle),
     };
     amount * if speed < 0.0 { -1.0 } else { 1.0 }
 }
@@ -216,21 +218,23 @@ pub fn load_torque(law: &LoadLaw, speed: f64, angle: f64) -> f64 {
 /// Torque by which a load holds its shaft at standstill, as dry friction does [N m].
 pub(crate) fn holding_torque(law: &LoadLaw) -> f64 {
     match law {
-        LoadLaw::Angle { .. } => 0.0,
+        law if law.is_over_angle() => 0.0,
         law => load_torque(law, f64::MIN_POSITIVE, 0.0),
     }
 }
 
-/// Value at `x` on straight lines through points within one period, from the last to the first of the next.
-fn periodic(points: &[[f64; 2]], period: f64, x: f64) -> f64 {
-    let (Some(first), Some(last)) = (points.first(), points.last()) else { return 0.0 };
-    let own = x.rem_euclid(period);
-    if own < first[0] || own >= last[0] {
-        let gap = first[0] + period - last[0];
-        let past = (own - last[0]).rem_euclid(period);
-        return if gap > 0.0 { last[1] + (first[1] - last[1]) * past / gap } else { last[1] };
+/// Torque of a load at a speed [rad/s] and angle [rad]: straight between the curves of two speeds, constant beyond.
+fn mapped(curves: &[LoadCurve], period: f64, speed: f64, angle: f64) -> f64 {
+    let of = |curve: &LoadCurve| periodic_value(&curve.points, period, angle);
+    let above = curves.partition_point(|curve| curve.speed <= speed);
+    match (above.checked_sub(1).and_then(|below| curves.get(below)), curves.get(above)) {
+        (Some(low), Some(high)) => {
+            let share = (speed - low.speed) / (high.speed - low.speed);
+            (1.0 - share) * of(low) + share * of(high)
+        }
+        (Some(only), None) | (None, Some(only)) => of(only),
+        (None, None) => 0.0,
     }
-    straight(points, own)
 }
 
 /// Speed above which the crank angle is the independent variable, and the one above which it becomes it again [rad/s].

@@ -197,7 +197,7 @@ pub fn simulation_brief(result: &SimulationResult) -> String {
                 let words = columns
                     .iter()
                     .map(|&k| format!("{} {}", table.columns[k].header, quantity(&table, 0, k)));
-                lines.push(("speed in the last period".to_owned(), words.collect::<Vec<_>>().join(", ")));
+                lines.push((table.title.to_lowercase(), words.collect::<Vec<_>>().join(", ")));
             }
             "simulated-mounts" => {
                 lines.extend((0..table.rows.len()).map(|row| {

@@ -2,6 +2,7 @@
 
 mod columns;
 pub(crate) mod crosscheck;
+pub(crate) mod energy;
 pub(crate) mod figure;
 mod moving;
 pub(crate) mod orders;
@@ -11,6 +12,7 @@ pub(crate) mod section;
 pub(crate) mod series;
 
 pub use crosscheck::*;
+pub use energy::PeriodHeat;
 pub use orders::SimulatedOrder;
 pub use result::*;
 pub use run::*;

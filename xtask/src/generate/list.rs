@@ -6,7 +6,7 @@ use super::written::Written;
 pub const PUBLISHED: &str = "docs/src/validation.md";
 
 /// Pages and pictures of the book, and the picture of the README.
-pub const WRITTEN: [Written; 35] = [
+pub const WRITTEN: [Written; 36] = [
     Written::page("crates/studio/page/src/api/types.ts", "", &["studio", "--describe", "typescript"]),
     Written::page("crates/studio/openapi.json", "", &["studio", "--describe", "openapi"]),
     Written::page(
@@ -61,6 +61,7 @@ pub const WRITTEN: [Written; 35] = [
     graph_run("docs/src/images/bond-graph-shafts.svg", &SHAFT_FORCES, "bond-graph-shafts.svg"),
     simulated("docs/src/images/simulated-speed.svg", "simulated-speed.svg"),
     simulated("docs/src/images/simulated-energy.svg", "simulated-energy.svg"),
+    Written::figure("docs/src/images/simulated-period-energy.svg", &PERIOD, "simulated-period-energy.svg"),
     story("docs/src/images/balanced-twin.svg", "twin.toml"),
     story("docs/src/images/balanced-three.svg", "three.toml"),
     story("docs/src/images/balanced-v6.svg", "v6.toml"),
@@ -68,6 +69,9 @@ pub const WRITTEN: [Written; 35] = [
     blind("docs/src/images/counterweights-six.svg", &BLIND_SIX),
     blind("docs/src/images/counterweights-v8.svg", &BLIND_V8),
 ];
+
+/// A run whose last period begins with the fuel.
+const PERIOD: [&str; 2] = ["simulate", "examples/three-cylinder.toml"];
 
 /// An engine of the gallery with the lightest weights that leave the least force and couple, before and after.
 const fn blind(file: &'static str, arguments: &'static [&'static str]) -> Written {

@@ -493,7 +493,7 @@ mod tests {
         let journals = refused(StressQuestion { stiffness: Some(5e8), ..question() });
         assert!(journals.contains("belongs to springs"), "{journals}");
         let turning = modes(&Asker::new(&studio, &|| true), question()).expect_err("it has a speed");
-        assert!(turning.message.contains("leave out speed"), "{}", turning.message);
+        assert!(turning.message.contains("at rest without loads"), "{}", turning.message);
     }
 
     #[test]

@@ -2,7 +2,7 @@
 
 use super::joints::EngineJoints;
 use crate::curve::Curve;
-use lanchester_model::{Event, Governor, LoadLaw};
+use lanchester_model::{Event, Governor, LoadCurve, LoadLaw};
 use serde::Serialize;
 
 /// What the graph of an engine holds beside its crank train.
@@ -277,6 +277,13 @@ pub enum LoadTorque {
         /// Angles and torques.
         points: Vec<[f64; 2]>,
     },
+    /// Such curves at speeds that rise, straight between them, constant beyond.
+    Map {
+        /// Angle after which they repeat [rad].
+        period: f64,
+        /// The curves.
+        curves: Vec<LoadCurve>,
+    },
 }
 
 impl From<&LoadLaw> for LoadTorque {
@@ -293,11 +300,17 @@ impl From<&LoadLaw> for LoadTorque {
             LoadLaw::Angle { period, points } => {
                 LoadTorque::Angle { period: *period, points: points.clone() }
             }
+            LoadLaw::Map { period, curves } => LoadTorque::Map { period: *period, curves: curves.clone() },
         }
     }
 }
 
 impl LoadTorque {
+    /// Whether it depends on the angle.
+    pub(crate) fn is_over_angle(&self) -> bool {
+        matches!(self, LoadTorque::Angle { .. } | LoadTorque::Map { .. })
+    }
+
     /// Torque at a speed [rad/s] and angle [rad] of its shaft [N m], positive against positive rotation.
     pub(crate) fn at(&self, speed: f64, angle: f64) -> f64 {
         let size = speed.abs();
@@ -309,6 +322,12 @@ impl LoadTorque {
                 (None, None) => 0.0,
             }
         };
+        let over_angle = |points: &[[f64; 2]], period: f64| {
+            let Some(first) = points.first() else { return 0.0 };
+            let mut points = points.to_vec();
+            points.push([first[0] + period, first[1]]);
+            straight(&points, first[0] + (angle - first[0]).rem_euclid(period))
+        };
         let amount = match self {
             LoadTorque::None => 0.0,
             LoadTorque::Constant(torque) => *torque,
@@ -316,11 +335,11 @@ impl LoadTorque {
             LoadTorque::Quadratic(factor) => factor * size * size,
             LoadTorque::Power { power, least_speed } => power / size.max(*least_speed),
             LoadTorque::Speed(points) => straight(points, size),
-            LoadTorque::Angle { period, points } => {
-                let Some(first) = points.first() else { return 0.0 };
-                let mut points = points.clone();
-                points.push([first[0] + period, first[1]]);
-                return straight(&points, first[0] + (angle - first[0]).rem_euclid(*period));
+            LoadTorque::Angle { period, points } => return over_angle(points, *period),
+            LoadTorque::Map { period, curves } => {
+                let at_speeds: Vec<[f64; 2]> =
+                    curves.iter().map(|curve| [curve.speed, over_angle(&curve.points, *period)]).collect();
+                return straight(&at_speeds, size);
             }
         };
         if speed < 0.0 { -amount } else { amount }

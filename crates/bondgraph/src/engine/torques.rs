@@ -11,6 +11,7 @@ use super::request::{EngineBlock, EngineDrive, LoadTorque};
 use super::words::{combination, number, quantity};
 use crate::curve::Curve;
 use crate::unit::Unit;
+use lanchester_model::LoadCurve;
 
 /// N m.
 const TORQUE: Unit = Unit::of([2, 1, -2, 0, 0]);
@@ -155,7 +156,7 @@ impl Builder<'_> {
                 self.bond(&twisting, &damper);
             }
             let before_it = std::mem::replace(&mut ends, [own.clone(), absolute, format!("link{k}_angle")]);
-            if matches!(self.request.load.torque, LoadTorque::Angle { .. }) {
+            if self.request.load.torque.is_over_angle() {
                 let opens = k == 1 && self.changing.has("clutch_closed");
                 if link.stiffness > 0.0 && !opens {
                     let turned = combination(&[(link.ratio, &before_it[2])]);
@@ -194,11 +195,16 @@ impl Builder<'_> {
                     "table(load_over_speed, abs(f))*sign(f)".to_owned()
                 }
             },
+            LoadTorque::Map { period, curves } => {
+                let Some(law) = self.load_map(*period, curves, angle) else { return };
+                let share = if changes { "load_share*" } else { "" };
+                let given = if changes { " + load_torque*sign(f)" } else { "" };
+                self.element("load", "R", &[("effort", &format!("{share}({law}){given}"))]);
+                self.bond(place, "load");
+                return;
+            }
             LoadTorque::Angle { period, points } => {
-                let Some(first) = points.first() else { return };
-                let mut points = points.clone();
-                points.push([first[0] + period, first[1]]);
-                let Some(curve) = Curve::straight(&points, true, [Unit::NONE, TORQUE]) else { return };
+                let Some(curve) = over_angle(points, *period) else { return };
                 self.graph.tables.push(("load_over_angle".into(), curve));
                 let share = if changes { "-load_share*" } else { "-" };
                 self.element(
@@ -221,4 +227,35 @@ impl Builder<'_> {
         self.element("load", "R", &[("effort", &law)]);
         self.bond(place, "load");
     }
+
+    /// Torque over angle and speed: each curve weighted by how near its speed is.
+    fn load_map(&mut self, period: f64, curves: &[LoadCurve], angle: &str) -> Option<String> {
+        let mut terms = Vec::new();
+        for (k, own) in curves.iter().enumerate() {
+            let name = format!("load_over_angle{}", k + 1);
+            self.graph.tables.push((name.as_str().into(), over_angle(&own.points, period)?));
+            let neighbours = [k.checked_sub(1).and_then(|before| curves.get(before)), curves.get(k + 1)];
+            let [before, after] = neighbours.map(|curve| curve.map(|curve| [curve.speed, 0.0]));
+            let weight: Vec<[f64; 2]> = before.into_iter().chain([[own.speed, 1.0]]).chain(after).collect();
+            let value = format!("table({name}, {angle})");
+            if let [_] = weight.as_slice() {
+                terms.push(value);
+                continue;
+            }
+            let share = format!("load_at_speed{}", k + 1);
+            self.graph
+                .tables
+                .push((share.as_str().into(), Curve::straight(&weight, false, [SPEED, Unit::NONE])?));
+            terms.push(format!("table({share}, abs(f))*{value}"));
+        }
+        Some(terms.join(" + "))
+    }
+}
+
+/// A torque that repeats after `period` [rad], straight between its points.
+fn over_angle(points: &[[f64; 2]], period: f64) -> Option<Curve> {
+    let first = points.first()?;
+    let mut points = points.to_vec();
+    points.push([first[0] + period, first[1]]);
+    Curve::straight(&points, true, [Unit::NONE, TORQUE])
 }

@@ -5,14 +5,14 @@ use crate::failure::{DONE, Failure};
 use crate::figures::write_figures;
 use crate::files::{print, tell};
 use crate::format::Format;
-use crate::options::mounts::{MountsArguments, MountsTable};
+use crate::options::mounts::{MountsArguments, MountsTable, RotorOption};
 use crate::requests::loads::point;
 use crate::trace_files::trace_files;
 use lanchester::report::{
     mount_figures, mount_forces_csv, mount_modes_csv, mount_motion_csv, mounts_brief, mounts_text,
 };
 use lanchester::task::option;
-use lanchester::{MountSpeeds, mounts};
+use lanchester::{MountSpeeds, mounts_with_rotors};
 
 pub fn run(arguments: &MountsArguments, colour: bool) -> Result<u8, Failure> {
     if arguments.table.is_some() && arguments.format != Format::Csv {
@@ -37,10 +37,23 @@ pub fn run(arguments: &MountsArguments, colour: bool) -> Result<u8, Failure> {
         true => None,
         false => Some(trace_files(&opened.file.engine, &arguments.file)?),
     };
-    let study = mounts(&opened.file.engine, &speeds, arguments.orders, traces.as_deref(), &points)
-        .map_err(Failure::refused)?;
+    let effects = arguments.rotors.effects();
+    let study = mounts_with_rotors(
+        &opened.file.engine,
+        &speeds,
+        arguments.orders,
+        traces.as_deref(),
+        &points,
+        effects,
+    )
+    .map_err(Failure::refused)?;
     for warning in &study.warnings {
         tell(format_args!("warning: {warning}"));
+    }
+    if study.rotors == 0.0 && arguments.rotors != RotorOption::Both {
+        tell(format_args!(
+            "warning: --rotors changes nothing: the file gives no inertia of what turns in the block"
+        ));
     }
     if let Some(folder) = &arguments.figures {
         write_figures(folder, &arguments.file, &mount_figures(&opened.file.engine, &study))?;

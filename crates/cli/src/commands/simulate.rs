@@ -31,11 +31,23 @@ pub fn run(arguments: &SimulateArguments, colour: bool) -> Result<u8, Failure> {
     arguments.printed.check(arguments.format == SimulationFormat::Text)?;
     let mut request = request(arguments)?;
     let opened = open(&arguments.file, colour)?;
-    for &number in &arguments.misfire {
+    if request.gas == Some(false) && !arguments.misfire.is_empty() {
+        return Err(Failure::input(
+            "--misfire has no effect without gas",
+            "leave out --inertia-only, or --misfire",
+        ));
+    }
+    for (place, &number) in arguments.misfire.iter().enumerate() {
         let count = opened.file.engine.cylinders.len();
         if !(1..=count).contains(&number) {
             let needed = format!("--misfire needs a number of a cylinder, from 1 to {count}, got {number}");
             return Err(Failure::input(needed, "cylinders are numbered as in the file"));
+        }
+        if arguments.misfire[..place].contains(&number) {
+            return Err(Failure::input(
+                format_args!("--misfire names cylinder {number} twice"),
+                "name each cylinder once",
+            ));
         }
         request.misfire.push(number - 1);
     }

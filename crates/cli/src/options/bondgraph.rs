@@ -70,7 +70,7 @@ pub struct EngineOptions {
     #[arg(long, value_name = "STIFFNESS")]
     pub skirt_stiffness: Option<String>,
     /// Of an engine file: from the piston pin to the middle between both contacts of a skirt of compliant joints, positive towards the crown; default: "0 mm".
-    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
+    #[arg(long, value_name = "LENGTH")]
     pub skirt_offset: Option<String>,
     /// Of an engine file: damping ratio of compliant joints, 0 to 10; default: 0.2.
     #[arg(long, value_name = "RATIO")]

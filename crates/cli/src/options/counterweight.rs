@@ -74,7 +74,7 @@ pub struct ShapeArguments {
     #[arg(long, value_name = "NAME")]
     pub weight: Vec<String>,
     /// Unbalance that is full balance, for all of them; default: what each of them should have by the file.
-    #[arg(long, value_name = "UNBALANCE", allow_hyphen_values = true)]
+    #[arg(long, value_name = "UNBALANCE")]
     pub unbalance: Option<String>,
     /// What is made as small as possible; default: as the file says, or mass.
     #[arg(long, alias = "minimize", value_name = "OBJECTIVE", value_enum)]
@@ -84,7 +84,7 @@ pub struct ShapeArguments {
     pub balance: Option<String>,
     /// A dimension or its range, in place of the file's: `web radius`, `rectangle height`, `shoulder height`, `shoulder angle`,
     /// `arc radius`, `arc angle` or `thickness`, as `arc radius = 70 mm .. 90 mm`. May be given several times.
-    #[arg(long, value_name = "DIMENSION", allow_hyphen_values = true)]
+    #[arg(long, value_name = "DIMENSION")]
     pub dimension: Vec<String>,
     /// A limit, in place of the file's: `mass = 2 kg`, `swept radius`, `inertia`, `half width`, or a range of `shoulder angle` or
     /// `shoulder height` that follows from the dimensions. May be given several times.

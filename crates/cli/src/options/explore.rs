@@ -41,7 +41,7 @@ pub struct ExploreArguments {
     #[arg(long, value_name = "LENGTH")]
     pub bearing_room: Option<String>,
     /// Overlap of the two pins of a pair seen along the crank, at least.
-    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
+    #[arg(long, value_name = "LENGTH")]
     pub pin_overlap: Option<String>,
     /// Most cases that are looked at; a larger space is refused with the choice that makes it so large.
     #[arg(long, value_name = "N", default_value_t = 1_000_000_000_000)]
@@ -93,10 +93,10 @@ pub struct SpaceArguments {
     #[arg(long, value_name = "ANGLES", help_heading = "The space")]
     pub bank_angle: Option<String>,
     /// How far the pin of bank 2 stands ahead of that of bank 1.
-    #[arg(long, value_name = "ANGLES", allow_hyphen_values = true, help_heading = "The space")]
+    #[arg(long, value_name = "ANGLES", help_heading = "The space")]
     pub split_angle: Option<String>,
     /// How far bank 2 stands behind bank 1 along the crank.
-    #[arg(long, value_name = "LENGTHS", allow_hyphen_values = true, help_heading = "The space")]
+    #[arg(long, value_name = "LENGTHS", help_heading = "The space")]
     pub stagger: Option<String>,
     /// Distances of neighbouring throws (or pairs of them).
     #[arg(long, value_name = "LENGTHS", help_heading = "The space")]
@@ -106,7 +106,7 @@ pub struct SpaceArguments {
     pub rod_ratio: Option<String>,
     /// Angles that a throw may have from the first one: a list, or `every 30 deg`. Default: every 30 degrees, or as many parts of
     /// a turn as the even firing of so many cylinders needs.
-    #[arg(long, value_name = "ANGLES", allow_hyphen_values = true, help_heading = "The space")]
+    #[arg(long, value_name = "ANGLES", help_heading = "The space")]
     pub throw_angles: Option<String>,
     /// Weights on the webs, several with commas between: `none`; `own`, as much as the file has on all webs alike; `full`, every
     /// throw in itself; `80 %` of what turns; `100 % + 50 %`, of what turns and of the reciprocating masses; `full on 1001`,
@@ -116,7 +116,7 @@ pub struct SpaceArguments {
     /// Balance shafts that a layout may have, one set for each --shafts: `none`, or shafts with semicolons between, each
     /// `ORDER @ x, y @ force z` (or `couple z1, z2`, or `both z1, z2`): what its weights remove, and where they stand. ORDER is 1 or 2,
     /// negative against the crank. Default: none.
-    #[arg(long, value_name = "SHAFTS", allow_hyphen_values = true, help_heading = "The space")]
+    #[arg(long, value_name = "SHAFTS", help_heading = "The space")]
     pub shafts: Vec<String>,
     /// Leave the firing orders out.
     #[arg(long, help_heading = "The space")]

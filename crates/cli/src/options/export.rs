@@ -80,7 +80,7 @@ pub struct ForcesArguments {
     #[arg(long, value_enum, default_value_t = PointsOption::All)]
     pub points: PointsOption,
     /// Speeds of crankshaft 1, a list or a range, instead of the file's: `700 rpm .. 6000 rpm by 100 rpm`.
-    #[arg(long, value_name = "SPEEDS", conflicts_with = "steps", allow_hyphen_values = true)]
+    #[arg(long, value_name = "SPEEDS", conflicts_with = "steps")]
     pub speeds: Option<String>,
     /// How many speeds, from the lowest to the highest of the file.
     #[arg(long, value_name = "N", default_value_t = 31, value_parser = clap::value_parser!(u32).range(2..=2000))]
@@ -117,7 +117,7 @@ pub struct HistoryArguments {
     #[arg(value_name = "FILE")]
     pub file: PathBuf,
     /// Speed of crankshaft 1, with its unit; default: the highest of the file.
-    #[arg(long, value_name = "SPEED", allow_hyphen_values = true)]
+    #[arg(long, value_name = "SPEED")]
     pub speed: Option<String>,
     /// Angles a revolution.
     #[arg(long, value_name = "ANGLES", default_value_t = 720, value_parser = clap::value_parser!(u32).range(8..=100_000))]
@@ -134,7 +134,7 @@ pub struct ScriptArguments {
     #[arg(value_name = "FILE")]
     pub file: PathBuf,
     /// Speed of crankshaft 1, with its unit; default: the highest of the file.
-    #[arg(long, value_name = "SPEED", allow_hyphen_values = true)]
+    #[arg(long, value_name = "SPEED")]
     pub speed: Option<String>,
     /// The script, `-` for standard output; never overwrites.
     #[arg(long, short, value_name = "FILE", default_value = "-")]

@@ -3,6 +3,7 @@
 use crate::format::Format;
 use crate::options::printed::PrintedArguments;
 use clap::{Args, ValueEnum};
+use lanchester::mechanism::RotorEffects;
 use std::path::PathBuf;
 
 /// `mounts`
@@ -12,10 +13,10 @@ pub struct MountsArguments {
     #[arg(value_name = "FILE")]
     pub file: PathBuf,
     /// One speed of crankshaft 1, with its unit, instead of the file's range.
-    #[arg(long, value_name = "SPEED", conflicts_with_all = ["speeds", "steps"], allow_hyphen_values = true)]
+    #[arg(long, value_name = "SPEED", conflicts_with_all = ["speeds", "steps"])]
     pub speed: Option<String>,
     /// Speeds with commas between, instead of the file's range: `700 rpm, 1500 rpm, 3000 rpm`.
-    #[arg(long, value_name = "SPEEDS", conflicts_with = "steps", allow_hyphen_values = true)]
+    #[arg(long, value_name = "SPEEDS", conflicts_with = "steps")]
     pub speeds: Option<String>,
     /// How many speeds, from the lowest to the highest of the file.
     #[arg(long, value_name = "N", default_value_t = 61, value_parser = clap::value_parser!(u32).range(2..=2000))]
@@ -24,8 +25,11 @@ pub struct MountsArguments {
     #[arg(long, value_name = "N", default_value_t = 8)]
     pub orders: u32,
     /// Point of the block whose motion is told, `x, y, z` with units; may be given several times.
-    #[arg(long, value_name = "POINT", allow_hyphen_values = true)]
+    #[arg(long, value_name = "POINT")]
     pub point: Vec<String>,
+    /// What acts of the crankshafts, flywheel and shafts that turn in the block, where their inertia is known.
+    #[arg(long, value_enum, default_value_t = RotorOption::Both)]
+    pub rotors: RotorOption,
     /// Leave out the gas that the file gives.
     #[arg(long)]
     pub inertia_only: bool,
@@ -41,6 +45,30 @@ pub struct MountsArguments {
     /// How text and CSV are printed.
     #[command(flatten)]
     pub printed: PrintedArguments,
+}
+
+/// What of the rotors acts on the motion of the block.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum RotorOption {
+    /// Their gyroscopic couple, and their inertia does not follow the roll.
+    Both,
+    /// The gyroscopic couple alone.
+    Couple,
+    /// That their inertia does not follow the roll alone.
+    Roll,
+    /// Neither: they are held fast in the block.
+    None,
+}
+
+impl RotorOption {
+    pub fn effects(self) -> RotorEffects {
+        match self {
+            RotorOption::Both => RotorEffects::BOTH,
+            RotorOption::Couple => RotorEffects::COUPLE,
+            RotorOption::Roll => RotorEffects::ROLL,
+            RotorOption::None => RotorEffects::NONE,
+        }
+    }
 }
 
 /// Tables of `mounts --format csv`.

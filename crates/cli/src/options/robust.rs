@@ -15,7 +15,7 @@ pub struct RobustArguments {
     #[arg(long, value_name = "ENGINES", conflicts_with_all = ["search", "method", "cancel", "table", "figures"])]
     pub robust: Option<u64>,
     /// With --robust: minimise the mean of this share of the engines, the worst ones, such as `1 %`.
-    #[arg(long, value_name = "SHARE", requires = "robust", allow_hyphen_values = true)]
+    #[arg(long, value_name = "SHARE", requires = "robust")]
     pub worst_share: Option<String>,
     /// With --robust: seed of the draws; the same seed draws the same engines.
     #[arg(long, value_name = "SEED", default_value_t = 1, requires = "robust")]

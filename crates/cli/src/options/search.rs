@@ -15,13 +15,13 @@ pub struct SearchArguments {
     #[arg(long, value_name = "FILE", requires = "search")]
     pub reference: Option<PathBuf>,
     /// Share of the reference that counts, e.g. `1/2` compares a twin with half a four; default: all.
-    #[arg(long, value_name = "SHARE", requires = "reference", allow_hyphen_values = true)]
+    #[arg(long, value_name = "SHARE", requires = "reference")]
     pub share: Option<String>,
     /// Cylinder spacings to try, `88 mm, 60 mm`; default: that of the engine file.
-    #[arg(long, value_name = "LENGTHS", requires = "search", allow_hyphen_values = true)]
+    #[arg(long, value_name = "LENGTHS", requires = "search")]
     pub spacing: Option<String>,
     /// Two mounts on the crank axis, this far apart, instead of those of the file.
-    #[arg(long, value_name = "LENGTH", requires = "search", allow_hyphen_values = true)]
+    #[arg(long, value_name = "LENGTH", requires = "search")]
     pub mount_spacing: Option<String>,
     /// Most balance shafts, 0 to 4; default: 4.
     #[arg(long, value_name = "N", requires = "search")]
@@ -31,13 +31,13 @@ pub struct SearchArguments {
     pub shaft_orders: Option<String>,
     /// Where shafts may stand: a point `x, y` (may be given several times), or a box with ranges, `-200 mm .. -90 mm,
     /// -150 mm .. 150 mm`; default: all around the crank, as near as crank and rods let them.
-    #[arg(long, value_name = "PLACE", requires = "search", allow_hyphen_values = true)]
+    #[arg(long, value_name = "PLACE", requires = "search")]
     pub place: Vec<String>,
     /// Distance between the points of a box; default: 10 mm.
-    #[arg(long, value_name = "LENGTH", requires = "place", allow_hyphen_values = true)]
+    #[arg(long, value_name = "LENGTH", requires = "place")]
     pub place_step: Option<String>,
     /// Planes of shafts with two weights, `z1, z2`; default: the outermost cylinders.
-    #[arg(long, value_name = "PLANES", requires = "search", allow_hyphen_values = true)]
+    #[arg(long, value_name = "PLANES", requires = "search")]
     pub shaft_planes: Option<String>,
     /// What drives shafts that turn as their driver does; default: gears.
     #[arg(long, value_enum, requires = "search")]
@@ -50,7 +50,7 @@ pub struct SearchArguments {
     #[arg(long, requires = "search")]
     pub all: bool,
     /// One arrangement in full, by its number or its name such as `crank -1`; --write puts it into the engine file.
-    #[arg(long, value_name = "ARRANGEMENT", requires = "search", allow_hyphen_values = true)]
+    #[arg(long, value_name = "ARRANGEMENT", requires = "search")]
     pub choose: Option<String>,
 }
 

@@ -22,7 +22,7 @@ pub struct SimulateArguments {
     pub speed: Option<String>,
     /// State at the start, with commas between: a crank angle, a speed, and `equilibrium` or `as drawn` for the block, such as `90 deg, 800 rpm, as drawn`; default: as the file says, else 0 deg, its
     /// highest speed, the block where its mounts carry weight and mean torque.
-    #[arg(long, value_name = "STATE", allow_hyphen_values = true)]
+    #[arg(long, value_name = "STATE")]
     pub start: Option<String>,
     /// Keep this speed by a drive that takes whatever torque it needs.
     #[arg(long)]
@@ -46,7 +46,7 @@ pub struct SimulateArguments {
     #[arg(long, value_name = "WHEN: WHAT")]
     pub event: Vec<String>,
     /// A point of the block, `x, y, z`, whose motion is shown; may be given several times.
-    #[arg(long, value_name = "X, Y, Z", allow_hyphen_values = true)]
+    #[arg(long, value_name = "X, Y, Z")]
     pub point: Vec<String>,
     /// Leave out the gas of the file.
     #[arg(long)]

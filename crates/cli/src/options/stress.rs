@@ -147,11 +147,11 @@ pub struct LoadArguments {
     )]
     pub case: Option<String>,
     /// Crank angle with its unit, a list of them or a range such as `0 deg .. 720 deg by 10 deg`; with `--force` the one at which springs with two stiffnesses hold. Default: angles of the largest radial, tangential and resultant force on each pin and firing top dead centres.
-    #[arg(long, value_name = "ANGLES", allow_hyphen_values = true)]
+    #[arg(long, value_name = "ANGLES")]
     pub angle: Option<String>,
     /// Force on a pin instead, `PIN: RADIAL, TANGENTIAL` with units: radial positive away from the crank axis, tangential positive where it drives
     /// the crankshaft. May be given several times; all act at once.
-    #[arg(long, value_name = "FORCE", allow_hyphen_values = true)]
+    #[arg(long, value_name = "FORCE")]
     pub force: Vec<String>,
     /// Speed of crankshaft 1, with its unit; may be given several times. Default: lowest and highest speed of the file, with `--force` standstill.
     #[arg(long, value_name = "SPEED")]

@@ -41,6 +41,28 @@ fn otto_has_the_efficiency_of_the_textbook_whatever_the_linkage() {
 }
 
 #[test]
+fn a_closed_cylinder_keeps_p_v_n_in_every_revolution() {
+    for strokes in [2, 4] {
+        let file = "[gas]\ncompression_ratio = 8\n[gas.cycle]\ntype = \"sealed\"\nheat_capacity_ratio = 1.3\npressure = \"0.8 bar\"\n";
+        let engine = engine(strokes, "9 mm", file);
+        let (cycle, volume) = (ideal(&engine).expect("a cycle"), volume_of(&engine));
+        let kept = 0.8e5 * volume.at(volume.bottom_angle())[0].powf(1.3);
+        for k in 0..1009 {
+            let psi = volume.cycle() * f64::from(k) / 1009.0;
+            let pressure = cycle.pressure.at(psi);
+            assert!(
+                (pressure * volume.at(psi)[0].powf(1.3) / kept - 1.0).abs() < 1e-10,
+                "{strokes} {psi}: {pressure}"
+            );
+        }
+        // Nothing is gained or lost.
+        let done = indicated(&cycle.pressure, &volume);
+        assert!(done.work.abs() < 1e-9 * 0.8e5 * volume.displaced(), "{done:?}");
+        assert!(cycle.heat == 0.0 && cycle.closed_work.abs() < 1e-12 && cycle.efficiency == 0.0);
+    }
+}
+
+#[test]
 fn diesel_and_seiliger_have_the_efficiencies_of_the_textbook() {
     let ratio: f64 = 18.0;
     let gamma = 1.4;

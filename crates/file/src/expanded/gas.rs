@@ -52,6 +52,7 @@ impl File {
             GasProcess::Otto { heat: IdealHeat::PeakPressure { .. } } => ("otto", None),
             GasProcess::Diesel { fuel } => ("diesel", Some(fuel)),
             GasProcess::Seiliger { fuel, .. } => ("seiliger", Some(fuel)),
+            GasProcess::Sealed => ("sealed", None),
             GasProcess::SingleZone(zone) => ("single-zone", zone.combustion.as_ref().map(|c| &c.fuel)),
         };
         self.entry("type", &quoted(kind));
@@ -64,6 +65,11 @@ impl File {
             }
             GasProcess::Seiliger { split: HeatSplit::ConstantVolumeShare { share }, .. } => {
                 self.entry("constant_volume_share", &format!("{share:?}"));
+            }
+            GasProcess::Sealed => {
+                self.entry("pressure", &quantity(cycle.intake.pressure, Dimension::Pressure));
+                self.entry("temperature", &quantity(cycle.intake.temperature, Dimension::Temperature));
+                return;
             }
             _ => {}
         }

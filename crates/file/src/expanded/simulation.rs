@@ -2,8 +2,8 @@
 
 use super::text::{File, quantity, quoted};
 use lanchester_model::{
-    Action, BlockKind, Event, Governor, ImposedAgainst, LoadLaw, MainSharing, ReactsOn, RodGuidance,
-    RunLength, RunLoad, SimulationInput, SpeedKind, StartOfBlock, Starter, When,
+    Action, BlockKind, Event, Governor, ImposedAgainst, LoadCurve, LoadLaw, MainSharing, ReactsOn,
+    RodGuidance, RunLength, RunLoad, SimulationInput, SpeedKind, StartOfBlock, Starter, When,
 };
 use lanchester_task::Tasks;
 use lanchester_units::{Dimension, exact_text};
@@ -212,7 +212,7 @@ impl File {
             LoadLaw::Viscous { .. } => "viscous",
             LoadLaw::Quadratic { .. } => "quadratic",
             LoadLaw::Power { .. } => "power",
-            LoadLaw::Table(_) | LoadLaw::Angle { .. } => "table",
+            LoadLaw::Table(_) | LoadLaw::Angle { .. } | LoadLaw::Map { .. } => "table",
         };
         self.entry("type", &format!("\"{word}\""));
         match &load.law {
@@ -230,6 +230,22 @@ impl File {
             LoadLaw::Angle { period, points } => {
                 self.entry("period", &quantity(*period, Dimension::Angle));
                 self.load_points(points, "angle", Dimension::Angle);
+            }
+            LoadLaw::Map { period, curves } => {
+                self.entry("period", &quantity(*period, Dimension::Angle));
+                let point = |curve: &LoadCurve, [angle, torque]: [f64; 2]| {
+                    let [speed, angle, torque] = [
+                        (curve.speed, Dimension::Speed),
+                        (angle, Dimension::Angle),
+                        (torque, Dimension::Torque),
+                    ]
+                    .map(|(value, dimension)| quantity(value, dimension));
+                    format!("  {{ speed = {speed}, angle = {angle}, torque = {torque} }},\n")
+                };
+                let list: String = (curves.iter())
+                    .flat_map(|curve| curve.points.iter().map(move |own| point(curve, *own)))
+                    .collect();
+                self.entry("table", &format!("[\n{list}]"));
             }
         }
         self.entry("reacts_on", side(load.reacts_on));

@@ -146,7 +146,13 @@ fn a_run_reads_back_from_its_expanded_form() {
     let angle = "[load]\ntype = \"table\"\nperiod = \"180 deg\"\ntable = [{ angle = \"10 deg\", torque = \"-5 N m\" }, { angle = \"100 deg\", torque = \"7 N m\" }]\n";
     let speed = "[load]\ntype = \"table\"\ntable = [{ speed = \"0 rpm\", torque = \"5 N m\" }, { speed = \"1000 rpm\", torque = \"7 N m\" }]\n";
     let power = "[load]\ntype = \"power\"\npower = \"3 kW\"\nleast_speed = \"300 rpm\"\n[simulation]\nduration = \"7 revolutions\"\n";
-    for more in [EVERYTHING, imposed, angle, speed, power, "[simulation]\n", "[load]\ntype = \"none\"\n"] {
+    let map = "[load]\ntype = \"table\"\nperiod = \"360 deg\"\ntable = [{ speed = \"500 rpm\", angle = \"0 deg\", torque = \"5 N m\" }, \
+               { speed = \"500 rpm\", angle = \"100 deg\", torque = \"-7 N m\" }, { speed = \"900 rpm\", angle = \"30 deg\", torque = \"8 N m\" }]\n";
+    let law = file(map).tasks.simulation.and_then(|input| input.load).map(|load| load.law);
+    let Some(LoadLaw::Map { period, curves }) = &law else { panic!("{law:?}") };
+    assert_eq!((*period, curves.len(), curves[0].points.len(), curves[1].points[0][1]), (TAU, 2, 2, 8.0));
+    for more in [EVERYTHING, imposed, angle, speed, map, power, "[simulation]\n", "[load]\ntype = \"none\"\n"]
+    {
         let first = file(more);
         let text = expanded(&first);
         let again = read(&text).file.unwrap_or_else(|| panic!("{text}"));
@@ -185,6 +191,18 @@ fn mistakes_of_a_run_are_told() {
         ("[load]\ntype = \"constant\"\ntorque = \"3 N m\"\nat = \"100 rpm\"\n", "E0204"),
         (
             "[load]\ntype = \"table\"\ntable = [{ speed = \"1 rpm\", torque = \"1 N m\" }, { angle = \"1 deg\", torque = \"1 N m\" }]\n",
+            "E1803",
+        ),
+        (
+            "[load]\ntype = \"table\"\ntable = [{ speed = \"1 rpm\", angle = \"0 deg\", torque = \"1 N m\" }, { angle = \"1 deg\", torque = \"1 N m\" }]\n",
+            "E0202",
+        ),
+        (
+            "[load]\ntype = \"table\"\ntable = [{ speed = \"2 rpm\", angle = \"9 deg\", torque = \"1 N m\" }, { speed = \"1 rpm\", angle = \"10 deg\", torque = \"1 N m\" }]\n",
+            "E1803",
+        ),
+        (
+            "[load]\ntype = \"table\"\ntable = [{ speed = \"2 rpm\", angle = \"9 deg\", torque = \"1 N m\" }, { speed = \"2 rpm\", angle = \"8 deg\", torque = \"1 N m\" }]\n",
             "E1803",
         ),
         (

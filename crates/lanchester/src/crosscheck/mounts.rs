@@ -22,7 +22,8 @@ use crate::crosscheck::pair::{CrossCheckError, Pair};
 use crate::inertias::{rotating_bodies, rotor_inertia};
 use crate::pressure::simulated::GivenGas;
 use lanchester_mechanism::{
-    GasTrain, Lever, MountSystem, OrderResponse, inertia_excitations, merged_orders, rotor_inertia_about_z,
+    GasTrain, Lever, MountSystem, OrderResponse, RotorEffects, inertia_excitations, merged_orders,
+    rotor_inertia_about_z,
 };
 use lanchester_model::{Block, Engine, EngineParts, MovingParts};
 use lanchester_multibody::{BlockMotion, GasPressure, Load, LoadLaw, Motion, ReactsOn, Simulation, Train};
@@ -104,7 +105,7 @@ pub(crate) fn moving_block(pair: &Pair<'_>) -> Result<Result<Vec<CrossRow>, Stri
     };
     let none = || Ok(Err("no periodic motion was found".into()));
     let Some(found) = simulated(pair, &whole, Run::Imposed(0.0))? else { return none() };
-    let Some(both) = linear(pair, &whole, Rotors::BOTH, 0.0)? else {
+    let Some(both) = linear(pair, &whole, RotorEffects::BOTH, 0.0)? else {
         return Ok(Err("its mounts have no response at this speed".into()));
     };
     let left = off(&both, &found);
@@ -112,11 +113,11 @@ pub(crate) fn moving_block(pair: &Pair<'_>) -> Result<Result<Vec<CrossRow>, Stri
     for (what, without, cause) in [
         (
             "neither (1) nor (2)",
-            Rotors::NEITHER,
+            RotorEffects::NONE,
             "(1) gyroscopic couple of the rotors, (2) their inertia does not follow the roll",
         ),
-        ("(1) alone", Rotors::COUPLE, "(2) the rotors' inertia does not follow the roll"),
-        ("(2) alone", Rotors::ROLL, "(1) gyroscopic couple of the rotors"),
+        ("(1) alone", RotorEffects::COUPLE, "(2) the rotors' inertia does not follow the roll"),
+        ("(2) alone", RotorEffects::ROLL, "(1) gyroscopic couple of the rotors"),
     ] {
         // A block that is light beside its rotors has no inertia that could stand for one cause alone.
         let Some(without) = linear(pair, &whole, without, 0.0)? else { continue };
@@ -138,7 +139,7 @@ pub(crate) fn moving_block(pair: &Pair<'_>) -> Result<Result<Vec<CrossRow>, Stri
     // For each kilogram, as the motion itself goes with the moving mass.
     let by_inertia = |engine: &Engine, mass: f64| -> Result<Option<Orders>, CrossCheckError> {
         let found = simulated(pair, engine, Run::Imposed(0.0))?;
-        let both = linear(pair, engine, Rotors::BOTH, 0.0)?;
+        let both = linear(pair, engine, RotorEffects::BOTH, 0.0)?;
         Ok(both.zip(found).map(|(both, found)| sum(&[(1.0 / mass, &both), (-1.0 / mass, &found)])))
     };
     let what = "what is left, over that of half the moving mass";
@@ -149,7 +150,7 @@ pub(crate) fn moving_block(pair: &Pair<'_>) -> Result<Result<Vec<CrossRow>, Stri
     rows.extend(row);
     if pair.gas.is_some()
         && let (Some(full), Some(both_full)) =
-            (simulated(pair, &whole, Run::Imposed(1.0))?, linear(pair, &whole, Rotors::BOTH, 1.0)?)
+            (simulated(pair, &whole, Run::Imposed(1.0))?, linear(pair, &whole, RotorEffects::BOTH, 1.0)?)
         && let share = small_share(&both, &both_full)
         && let Some(gas) = of_small_gas(pair, &whole, share)?
     {
@@ -227,8 +228,10 @@ fn of_small_gas(pair: &Pair<'_>, engine: &Engine, share: f64) -> Result<Option<O
     };
     let found =
         both(simulated(pair, engine, Run::Imposed(share))?, simulated(pair, engine, Run::Imposed(-share))?);
-    let closed =
-        both(linear(pair, engine, Rotors::BOTH, share)?, linear(pair, engine, Rotors::BOTH, -share)?);
+    let closed = both(
+        linear(pair, engine, RotorEffects::BOTH, share)?,
+        linear(pair, engine, RotorEffects::BOTH, -share)?,
+    );
     Ok(closed.zip(found).map(|(closed, found)| OfGas { closed, found }))
 }
 
@@ -249,7 +252,7 @@ pub(crate) fn all_free(pair: &Pair<'_>) -> Result<Result<Vec<CrossRow>, String>,
     let (Some(imposed), Some(free), Some(both)) = (
         simulated(pair, &whole, Run::Imposed(1.0))?,
         simulated(pair, &whole, Run::Free)?,
-        linear(pair, &whole, Rotors::BOTH, 1.0)?,
+        linear(pair, &whole, RotorEffects::BOTH, 1.0)?,
     ) else {
         return Ok(Err("no periodic motion was found".into()));
     };
@@ -432,44 +435,16 @@ fn simulated(pair: &Pair<'_>, engine: &Engine, run: Run) -> Result<Option<Orders
     Ok(Some(orders.collect()))
 }
 
-/// What of the rotors is in the closed form.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-struct Rotors {
-    /// (1) Their gyroscopic couple.
-    couple: bool,
-    /// (2) Their inertia does not follow the roll.
-    roll: bool,
-}
-
-impl Rotors {
-    const NEITHER: Rotors = Rotors { couple: false, roll: false };
-    const COUPLE: Rotors = Rotors { couple: true, roll: false };
-    const ROLL: Rotors = Rotors { couple: false, roll: true };
-    const BOTH: Rotors = Rotors { couple: true, roll: true };
-}
-
 /// The response of `mounts` by order, with what of the rotors and which share of the gas is asked for; `None` where there is none.
 fn linear(
     pair: &Pair<'_>,
     engine: &Engine,
-    rotors: Rotors,
+    effects: RotorEffects,
     share: f64,
 ) -> Result<Option<Orders>, CrossCheckError> {
     let about_z = rotor_inertia_about_z(&rotating_bodies(engine));
-    // The system takes both causes from one number: that of the roll alone is put in or made up for in the block's inertia.
-    let other = match rotors {
-        Rotors { couple: true, roll: false } => about_z,
-        Rotors { couple: false, roll: true } => -about_z,
-        _ => 0.0,
-    };
-    let shifted = engine.with(|parts| {
-        if let Some(block) = &mut parts.block {
-            block.inertia[2] += other;
-        }
-    });
-    let Ok(shifted) = shifted else { return Ok(None) };
     let (Ok(system), Ok(mut excitations)) =
-        (MountSystem::new(&shifted), inertia_excitations(engine, &[pair.speed], ORDERS))
+        (MountSystem::new(engine), inertia_excitations(engine, &[pair.speed], ORDERS))
     else {
         return Ok(None);
     };
@@ -478,7 +453,7 @@ fn linear(
         gas.iter_mut().for_each(|order| scale(order, share));
         excitation.orders = merged_orders(&excitation.orders, &gas);
     }
-    let system = system.with_rotors(if rotors.couple { about_z } else { 0.0 });
+    let system = system.with_rotors(about_z).with_effects(effects);
     let Ok(response) = system.response(&excitations) else { return Ok(None) };
     let mounts = engine.mounts.len();
     let all = |k: u32| {

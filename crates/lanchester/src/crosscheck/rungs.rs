@@ -84,7 +84,7 @@ pub fn crosscheck(
 
 /// What of the file's run no condition but B has.
 fn left_out(input: &SimulationInput) -> Option<String> {
-    let over_angle = matches!(input.load.as_ref().map(|load| &load.law), Some(LoadLaw::Angle { .. }));
+    let over_angle = input.load.as_ref().is_some_and(|load| load.law.is_over_angle());
     let given = [
         ("torque over the angle", !input.torque.is_empty() || !input.torque_files.is_empty()),
         ("load over the angle", over_angle),
@@ -271,21 +271,20 @@ impl Pair<'_> {
         let count = ripple.theta.len();
         let mut simulation = Simulation::free(ripple.speed[0], ripple.period / TAU);
         simulation.torque = torque;
-        simulation.load.law = match input.and_then(|input| input.load.as_ref()).map(|load| &load.law) {
-            // What the table varies, about the mean of the torques.
-            Some(LoadLaw::Angle { period, points })
-                if input.is_some_and(|input| input.driveline.is_empty()) =>
-            {
+        let own = input.filter(|input| input.driveline.is_empty()).and_then(|input| input.load.as_ref());
+        simulation.load.law = match own.and_then(|load| load.law.over_angle(self.speed)) {
+            // What the table varies, about the mean of the torques; as the closed form takes it, at the mean speed.
+            Some((period, points)) => {
                 let next = points.iter().cycle().skip(1);
                 let areas = points.iter().zip(next).map(|(a, b)| {
-                    let width = if points.len() == 1 { *period } else { (b[0] - a[0]).rem_euclid(*period) };
+                    let width = if points.len() == 1 { period } else { (b[0] - a[0]).rem_euclid(period) };
                     0.5 * (a[1] + b[1]) * width
                 });
                 let mean = areas.sum::<f64>() / period;
                 let points = points.iter().map(|[at, torque]| [*at, torque - mean + ripple.load]).collect();
-                LoadLaw::Angle { period: *period, points }
+                LoadLaw::Angle { period, points }
             }
-            _ => LoadLaw::Constant(ripple.load),
+            None => LoadLaw::Constant(ripple.load),
         };
         simulation.step = ripple.period / count as f64;
         simulation.tolerance = STEPS;

@@ -20,7 +20,7 @@ pub fn cycle_results(engine: &Engine, gas: &GasReport) -> Result<Vec<CycleResult
     let burned = match &cycle.process {
         GasProcess::Diesel { fuel } | GasProcess::Seiliger { fuel, .. } => fuel.efficiency,
         GasProcess::Otto { heat: lanchester_model::IdealHeat::Fuel(fuel) } => fuel.efficiency,
-        GasProcess::Otto { .. } | GasProcess::SingleZone(_) => 1.0,
+        GasProcess::Otto { .. } | GasProcess::Sealed | GasProcess::SingleZone(_) => 1.0,
     };
     let process = gas.source.trim_start_matches("computed: ").to_owned();
     let results = gas.cycles.iter().filter_map(|computed| {

@@ -154,6 +154,7 @@ fn name_of(process: &GasProcess) -> &'static str {
         GasProcess::Otto { .. } => "computed: Otto cycle",
         GasProcess::Diesel { .. } => "computed: Diesel cycle",
         GasProcess::Seiliger { .. } => "computed: Seiliger cycle",
+        GasProcess::Sealed => "computed: closed cylinder",
         GasProcess::SingleZone(_) => "computed: single zone",
     }
 }
@@ -254,9 +255,10 @@ fn computed(
                 }
                 CylinderCycle::SingleZone(Box::new(computed))
             }
-            GasProcess::Otto { .. } | GasProcess::Diesel { .. } | GasProcess::Seiliger { .. } => {
-                CylinderCycle::Ideal(Box::new(ideal_cycle(cycle, volume)?))
-            }
+            GasProcess::Otto { .. }
+            | GasProcess::Diesel { .. }
+            | GasProcess::Seiliger { .. }
+            | GasProcess::Sealed => CylinderCycle::Ideal(Box::new(ideal_cycle(cycle, volume)?)),
         };
         cycles.push(ComputedCycle { cylinders: vec![index + 1], cycle: computed });
     }

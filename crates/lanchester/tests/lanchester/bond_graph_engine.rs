@@ -320,6 +320,23 @@ fn xcheck_gas_states_with_walls_against_the_cycle() {
 /// Starter from a low speed, a load behind a driveline with a ratio, torque over the angle: all that the file's run may hold.
 #[test]
 fn xcheck_starter_driveline_and_load_against_the_simulation() {
+    hold_run_under("type = \"quadratic\"\ntorque = \"60 N m\"\nat = \"1000 rpm\"\n");
+    // Over angle and speed, within and beyond its speeds.
+    let point = |speed: f64, angle: f64, torque: f64| {
+        format!("{{ speed = \"{speed} rpm\", angle = \"{angle} deg\", torque = \"{torque} N m\" }},")
+    };
+    let points = [
+        (300.0, 20.0, 5.0),
+        (300.0, 200.0, 12.0),
+        (450.0, 0.0, 9.0),
+        (450.0, 90.0, 30.0),
+        (450.0, 250.0, -4.0),
+    ];
+    let table: String = points.map(|(speed, angle, torque)| point(speed, angle, torque)).concat();
+    hold_run_under(&format!("type = \"table\"\ntable = [{table}]\n"));
+}
+
+fn hold_run_under(load: &str) {
     let whole = include_str!("../../../../examples/three-cylinder.toml");
     let text = whole.split("[load]").next().expect("what comes before its load").to_owned()
         + r#"
@@ -330,10 +347,8 @@ gas = "off"
 tolerance = 1e-12
 torque = [{ order = 1.5, sin = "40 N m" }, { order = 0, cos = "25 N m" }]
 [load]
-type = "quadratic"
-torque = "60 N m"
-at = "1000 rpm"
 reacts_on = "block"
+LAW
 [starter]
 stall_torque = "30 N m"
 free_speed = "4000 rpm"
@@ -349,7 +364,7 @@ inertia = "0.2 kg m2"
 stiffness = "500 N m/rad"
 damping = "2 N m s/rad"
 "#;
-    let file = read(&text);
+    let file = read(&text.replace("LAW", load));
     let file = file.file.unwrap_or_else(|| panic!("{:?}", file.diagnostics));
     let theirs = simulate(&file, &[], &SimulateRequest::default()).expect("it runs").run;
     assert_eq!(theirs.outcome, RunOutcome::Complete);

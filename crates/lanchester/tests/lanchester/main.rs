@@ -26,6 +26,7 @@ mod optima;
 mod pressure;
 mod rigid_run;
 mod scene;
+mod simulated_energy;
 mod torsion;
 mod web_shapes;
 mod what_fits;

@@ -3,6 +3,7 @@
 //! SI and radians, axes of the frame. A `[f64; 6]` or `[Complex64; 6]` holds x, y, z, about x, about y, about z, at the
 //! block's centre. A complex amplitude `Q` of order n stands for `Re( Q e^{i n theta} )`.
 
+use crate::mounts::rotors::RotorEffects;
 use lanchester_results::Extreme;
 use num_complex::Complex64;
 use serde::Serialize;
@@ -226,6 +227,8 @@ pub struct MountStudy {
     pub body: MountedBody,
     /// Angular momentum of all rotors whose inertia is known over the speed of crankshaft 1 [kg m^2].
     pub rotors: f64,
+    /// What of them acts on the motion.
+    pub rotor_effects: RotorEffects,
     /// At rest.
     pub at_rest: MountStatics,
     /// Natural motions.

@@ -11,12 +11,46 @@
 use crate::mounts::spring::Complex6x6;
 use crate::mounts::system::MountSystem;
 use num_complex::Complex64;
+use serde::Serialize;
+
+/// What of the rotors acts on the motion of the block.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
+pub struct RotorEffects {
+    /// Their gyroscopic couple.
+    pub couple: bool,
+    /// Their polar inertia does not follow the roll.
+    pub roll: bool,
+}
+
+impl RotorEffects {
+    /// Both.
+    pub const BOTH: RotorEffects = RotorEffects { couple: true, roll: true };
+    /// None: the rotors are held fast in the block.
+    pub const NONE: RotorEffects = RotorEffects { couple: false, roll: false };
+    /// The gyroscopic couple alone.
+    pub const COUPLE: RotorEffects = RotorEffects { couple: true, roll: false };
+    /// That their inertia does not follow the roll alone.
+    pub const ROLL: RotorEffects = RotorEffects { couple: false, roll: true };
+}
+
+impl Default for RotorEffects {
+    fn default() -> Self {
+        RotorEffects::BOTH
+    }
+}
 
 impl MountSystem {
     /// The same with this angular momentum of the rotors over the speed [kg m^2] in place of that of the file; 0 leaves it out.
     #[must_use]
     pub fn with_rotors(mut self, about_z: f64) -> MountSystem {
         self.rotors = about_z;
+        self
+    }
+
+    /// The same with these of the rotors' effects.
+    #[must_use]
+    pub fn with_effects(mut self, effects: RotorEffects) -> MountSystem {
+        self.effects = effects;
         self
     }
 
@@ -27,9 +61,13 @@ impl MountSystem {
 
     /// Adds what the rotors do at this speed [rad/s] to the dynamic stiffness at an angular frequency [rad/s].
     pub(crate) fn add_rotors(&self, matrix: &mut Complex6x6, frequency: f64, speed: f64) {
-        let gyroscopic = Complex64::new(0.0, frequency * speed * self.rotors);
-        matrix[(3, 4)] += gyroscopic;
-        matrix[(4, 3)] -= gyroscopic;
-        matrix[(5, 5)] += frequency * frequency * self.rotors;
+        if self.effects.couple {
+            let gyroscopic = Complex64::new(0.0, frequency * speed * self.rotors);
+            matrix[(3, 4)] += gyroscopic;
+            matrix[(4, 3)] -= gyroscopic;
+        }
+        if self.effects.roll {
+            matrix[(5, 5)] += frequency * frequency * self.rotors;
+        }
     }
 }

@@ -3,6 +3,7 @@
 use crate::mounts::error::MountError;
 use crate::mounts::excitation::Excitation;
 use crate::mounts::result::{MOUNT_RESULT_VERSION, MountStudy, PointMotion, Transmissibility};
+use crate::mounts::rotors::RotorEffects;
 use crate::mounts::system::MountSystem;
 use lanchester_model::Engine;
 
@@ -22,6 +23,8 @@ pub struct MountRequest {
     pub warnings: Vec<String>,
     /// Angular momentum of the rotors over the speed of crankshaft 1 [kg m^2] in place of that of the file.
     pub rotors: Option<f64>,
+    /// What of them acts.
+    pub effects: RotorEffects,
 }
 
 /// The block of `engine` on its mounts: at rest, its natural motions, and shaken by `excitations`.
@@ -36,7 +39,7 @@ pub fn mount_study(
     if let Some(&bad) = request.points.iter().flatten().find(|c| !c.is_finite()) {
         return Err(MountError::Number { quantity: "point [m]".to_owned(), needed: "finite", got: bad });
     }
-    let mut system = MountSystem::new(engine)?;
+    let mut system = MountSystem::new(engine)?.with_effects(request.effects);
     if let Some(rotors) = request.rotors {
         system = system.with_rotors(rotors);
     }
@@ -62,6 +65,7 @@ pub fn mount_study(
         warnings: request.warnings.clone(),
         body: system.body().clone(),
         rotors: system.rotors(),
+        rotor_effects: request.effects,
         at_rest: system.at_rest(),
         points: request.points.iter().map(motion).collect(),
         transmissibility: Transmissibility {

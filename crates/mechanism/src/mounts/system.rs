@@ -5,6 +5,7 @@ use crate::mounts::error::MountError;
 use crate::mounts::free_motion::free_motion;
 use crate::mounts::result::MountedBody;
 use crate::mounts::rotor_inertia::rotor_inertia_about_z;
+use crate::mounts::rotors::RotorEffects;
 use crate::mounts::spring::{Complex6x6, Spring};
 use lanchester_model::{Block, Engine};
 use nalgebra::{Cholesky, Matrix3x6, Matrix6, U6};
@@ -30,6 +31,7 @@ pub struct MountSystem {
     fixed: Complex6x6,
     /// Angular momentum of the rotors over the speed of crankshaft 1 [kg m^2].
     pub(crate) rotors: f64,
+    pub(crate) effects: RotorEffects,
 }
 
 impl MountSystem {
@@ -80,6 +82,7 @@ impl MountSystem {
             mounts,
             body,
             rotors: rotor_inertia_about_z(&engine.rotating_bodies(&[])),
+            effects: RotorEffects::default(),
         })
     }
 

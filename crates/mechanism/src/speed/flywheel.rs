@@ -191,6 +191,7 @@ impl RippleGrid {
             let quantity = "revolutions after which all torques repeat";
             return Err(LoadError::Request { quantity, needed: "at most 120", got: f64::from(revolutions) });
         }
+        let outer = outer.at(speed);
         let period = TAU * f64::from(revolutions);
         let count = SAMPLES * revolutions as usize;
         let theta: Vec<f64> = (0..count).map(|j| period * j as f64 / count as f64).collect();

@@ -7,7 +7,7 @@
 //! itself: behind a driveline its angle is another one.
 
 use crate::inertia::request::{LoadError, MAX_REVOLUTIONS};
-use lanchester_model::{LoadLaw, SimulationInput, TorqueOrder};
+use lanchester_model::{LoadLaw, SimulationInput, TorqueOrder, periodic_value};
 use std::f64::consts::TAU;
 
 /// Orders and periods closer to a whole number than this count as whole.
@@ -17,8 +17,7 @@ const WHOLE: f64 = 1e-9;
 #[derive(Debug, Clone, PartialEq)]
 pub struct OuterTorque {
     orders: Vec<TorqueOrder>,
-    /// Period [rad], points of angle [rad] and torque [N m], mean [N m].
-    load: Option<(f64, Vec<[f64; 2]>, f64)>,
+    load: Option<LoadLaw>,
     /// Revolutions after which they repeat together.
     pub(crate) revolutions: u32,
 }
@@ -37,18 +36,17 @@ impl OuterTorque {
     /// [`LoadError::Request`] where they repeat after more than 120 revolutions, [`LoadError::Unread`] where a file of torque has not been read.
     pub fn of(input: Option<&SimulationInput>) -> Result<OuterTorque, LoadError> {
         let Some(input) = input else { return Ok(OuterTorque::default()) };
-        let load = match input.load.as_ref().map(|load| &load.law) {
-            Some(LoadLaw::Angle { period, points }) if input.driveline.is_empty() => {
-                Some((*period, points.clone(), mean(points, *period)))
-            }
-            _ => None,
-        };
+        let own = input.load.as_ref().filter(|load| load.law.is_over_angle() && input.driveline.is_empty());
+        let load = own.map(|load| load.law.clone());
         let orders = input.torque_orders().map_err(LoadError::Unread)?;
         let fits = |revolutions: &u32| {
             let whole = |value: f64| (value - value.round()).abs() < WHOLE * value.max(1.0);
             let turns = f64::from(*revolutions);
             orders.iter().all(|one| whole(one.order * turns))
-                && load.as_ref().is_none_or(|(period, ..)| whole(TAU * turns / period))
+                && load
+                    .as_ref()
+                    .and_then(|load| load.over_angle(0.0))
+                    .is_none_or(|(period, _)| whole(TAU * turns / period))
         };
         let found = (1..=MAX_REVOLUTIONS).find(fits);
         let refused = LoadError::Request {
@@ -64,6 +62,25 @@ impl OuterTorque {
         self.orders.is_empty() && self.load.is_none()
     }
 
+    /// As they are at a speed of crankshaft 1 [rad/s].
+    pub(crate) fn at(&self, speed: f64) -> OuterAt<'_> {
+        let load = self.load.as_ref().and_then(|load| load.over_angle(speed));
+        OuterAt {
+            orders: &self.orders,
+            load: load.map(|(period, points)| (mean(&points, period), period, points)),
+        }
+    }
+}
+
+/// Torques over the angle at one speed.
+#[derive(Debug)]
+pub(crate) struct OuterAt<'a> {
+    orders: &'a [TorqueOrder],
+    /// Mean [N m] and period [rad] of the load, its angles [rad] and torques [N m].
+    load: Option<(f64, f64, Vec<[f64; 2]>)>,
+}
+
+impl OuterAt<'_> {
     /// Mean of the torque [N m].
     pub(crate) fn mean(&self) -> f64 {
         self.orders.iter().filter(|one| one.order == 0.0).map(|one| one.cos).sum()
@@ -75,30 +92,21 @@ impl OuterTorque {
             let (sin, cos) = (one.order * theta).sin_cos();
             one.sin * sin + one.cos * cos
         });
-        let load = self.load.as_ref().map_or(0.0, |(period, points, mean)| at(points, *period, theta) - mean);
+        let varied = |(mean, period, points): &(f64, f64, Vec<[f64; 2]>)| {
+            periodic_value(points, *period, theta) - mean
+        };
+        let load = self.load.as_ref().map_or(0.0, varied);
         orders.sum::<f64>() - load
     }
 
     /// Angles at which the load bends, over so many revolutions [rad].
     pub(crate) fn kinks(&self, revolutions: u32) -> Vec<f64> {
-        let Some((period, points, _)) = &self.load else { return Vec::new() };
+        let Some((_, period, points)) = &self.load else { return Vec::new() };
         let count = (TAU * f64::from(revolutions) / period).round() as u32;
         (0..count)
             .flat_map(|turn| points.iter().map(move |point| point[0] + period * f64::from(turn)))
             .collect()
     }
-}
-
-/// Value on straight lines through points within a period, from the last to the first of the next.
-fn at(points: &[[f64; 2]], period: f64, theta: f64) -> f64 {
-    let count = points.len();
-    let own = theta.rem_euclid(period);
-    let after = points.partition_point(|point| point[0] <= own);
-    let (before, next) = ((after + count - 1) % count, after % count);
-    let [from, low] = points[before];
-    let [to, high] = points[next];
-    let length = (to - from).rem_euclid(period);
-    if length == 0.0 { low } else { low + (high - low) * (own - from).rem_euclid(period) / length }
 }
 
 /// Mean over the period: of trapezia.

@@ -338,9 +338,17 @@ fn a_load_that_varies_over_the_angle() {
     near(0.5 * 2.0 * squares, area, 1e-6);
     // Twice as often within a revolution: half the energy.
     let points = vec![[0.0, 0.0], [TAU / 4.0, 100.0]];
-    let (engine, outer) =
-        textbook_engine(&[(0.0, 0.0, 50.0)], Some(LoadLaw::Angle { period: TAU / 2.0, points }));
+    let law = LoadLaw::Angle { period: TAU / 2.0, points: points.clone() };
+    let (engine, outer) = textbook_engine(&[(0.0, 0.0, 50.0)], Some(law));
     near(periodic_under(&engine, None, 60.0, given, &outer).excess, 0.5 * area, 1e-9);
+    // Of a table over the speed too the curve at the mean speed counts: a third of the way to twice the torque.
+    let twice = vec![[0.0, 0.0], [TAU / 4.0, 200.0]];
+    let [low, high] = [(50.0, points), (80.0, twice)].map(|(speed, points)| LoadCurve { speed, points });
+    let law = LoadLaw::Map { period: TAU / 2.0, curves: vec![low, high] };
+    let (engine, outer) = textbook_engine(&[(0.0, 0.0, 50.0)], Some(law));
+    for (speed, factor) in [(30.0, 1.0), (60.0, 4.0 / 3.0), (95.0, 2.0)] {
+        near(periodic_under(&engine, None, speed, given, &outer).excess, 0.5 * factor * area, 1e-9);
+    }
     // Three revolutions of the load, two of half orders: the period is six.
     let points = vec![[0.0, 0.0], [TAU, 100.0]];
     let law = LoadLaw::Angle { period: 3.0 * TAU, points };

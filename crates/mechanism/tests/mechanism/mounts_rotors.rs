@@ -3,7 +3,7 @@
 use crate::support::in_line;
 use crate::support::mounted::{block, mount};
 use lanchester_mechanism::{
-    MountSystem, TurningInertia, inertia_excitations, rotor_inertia_about_z, train_inertia,
+    MountSystem, RotorEffects, TurningInertia, inertia_excitations, rotor_inertia_about_z, train_inertia,
 };
 use lanchester_model::{Block, Engine, Flywheel, Mount, MountSpring, ShapedCrankshaft};
 use nalgebra::{Matrix3, Rotation3, Vector3};
@@ -99,6 +99,13 @@ fn the_rotors_matter_and_can_be_left_out() {
     ]
     .map(|system| system.response(&excitations).expect("it is damped"));
     assert_eq!(left_out, without);
+    // Each cause by itself.
+    let alone = [RotorEffects::COUPLE, RotorEffects::ROLL, RotorEffects::NONE].map(|effects| {
+        let system = MountSystem::new(&engine).expect("it is held").with_effects(effects);
+        system.response(&excitations).expect("it is damped")
+    });
+    assert_eq!(alone[2], without);
+    assert!(alone[0] != with && alone[1] != with && alone[0] != alone[1]);
     let turn = |response: &lanchester_mechanism::MountResponse| response.speeds[0].orders[0].motion;
     let (with, without) = (turn(&with), turn(&without));
     let changed = (3..6).map(|k| (with[k] - without[k]).norm()).fold(0.0, f64::max);

@@ -80,7 +80,7 @@ pub struct GasCycle {
     pub heat_capacity_ratio: f64,
     /// Gas constant [J/(kg K)].
     pub gas_constant: f64,
-    /// State of the gas before the intake valve.
+    /// State of the gas before the intake valve; of a closed cylinder at bottom dead centre.
     pub intake: Reservoir,
     /// State of the gas behind the exhaust valve.
     pub exhaust: Reservoir,
@@ -118,6 +118,8 @@ pub enum GasProcess {
         /// How it is divided.
         split: HeatSplit,
     },
+    /// A closed cylinder without valves and heat: `p V^n` stays the same, with the ratio of the specific heats as `n`.
+    Sealed,
     /// One zone with valves, heat release and heat to the walls.
     SingleZone(Box<SingleZone>),
 }

@@ -1,5 +1,6 @@
 //! What the file says of a run in time: start, drive, load, starter, governor, driveline, events. Plain data; `None` and empty where it says nothing.
 
+use super::load::{LoadLaw, RunLoad};
 use serde::Serialize;
 
 /// What the file says of a run: `[simulation]`, `[load]`, `[starter]`, `[governor]`, `[[driveline]]` and `piston_damping` of `[friction]`.
@@ -238,56 +239,6 @@ pub enum ReactsOn {
     Ground,
     /// The block, as of a machine that is bolted to it.
     Block,
-}
-
-/// What takes the power, at the end of the driveline.
-#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
-pub struct RunLoad {
-    /// Its torque, against the rotation.
-    pub law: LoadLaw,
-    /// Where its reaction goes.
-    pub reacts_on: ReactsOn,
-}
-
-/// Torque of a load over the speed w [rad/s], or the angle, of the shaft that it sits on.
-#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum LoadLaw {
-    /// None.
-    None,
-    /// The same at every speed [N m]; like dry friction it holds at standstill.
-    Constant(f64),
-    /// `torque w / at`.
-    Viscous {
-        /// Torque [N m] at the speed `at`.
-        torque: f64,
-        /// Speed [rad/s].
-        at: f64,
-    },
-    /// `torque (w / at)^2`.
-    Quadratic {
-        /// Torque [N m] at the speed `at`.
-        torque: f64,
-        /// Speed [rad/s].
-        at: f64,
-    },
-    /// A constant power [W]; below `least_speed` [rad/s] the torque stays what it is there.
-    Power {
-        /// Power [W].
-        power: f64,
-        /// Speed below which the torque is constant [rad/s].
-        least_speed: f64,
-    },
-    /// Torque [N m] at speeds [rad/s] that rise, straight between, constant beyond.
-    Table(Vec<[f64; 2]>),
-    /// Torque [N m] at angles [rad] that rise from 0 or more, straight between and from the last to the first a period later; it acts
-    /// against positive rotation at any speed.
-    Angle {
-        /// Angle after which it repeats [rad].
-        period: f64,
-        /// Angles and torques.
-        points: Vec<[f64; 2]>,
-    },
 }
 
 /// A starter: `torque = stall (1 - ratio w / free_speed)` times its ratio on crankshaft 1, until a speed is reached.

@@ -5,6 +5,8 @@ use crate::run::result::{Audit, EnergyLedger};
 use crate::run::runner::Runner;
 use crate::simulation::{BlockMotion, Drive, LoadLaw, ReactsOn};
 use nalgebra::Vector3;
+use std::collections::VecDeque;
+use std::f64::consts::TAU;
 
 /// What is compared over a run.
 pub(crate) struct Auditor {
@@ -18,7 +20,21 @@ pub(crate) struct Auditor {
     momenta: Option<[Vector3<f64>; 2]>,
     largest: [f64; 2],
     changed: [f64; 2],
+    /// Crank angle through which sums are kept [rad].
+    period: f64,
+    /// What stood at the samples of the last period, and at the one before it.
+    sums: VecDeque<Sums>,
 }
+
+/// Energies and works at a sample.
+struct Sums {
+    theta: f64,
+    energies: [f64; 4],
+    works: [f64; WORKS],
+}
+
+/// Samples whose crank angles are a period apart to this bound mark its ends [rad].
+const SAME_ANGLE: f64 = 1e-6;
 
 /// Momenta in space.
 fn momenta(powered: &Powered<'_>, theta: f64, state: &[f64]) -> [Vector3<f64>; 2] {
@@ -54,6 +70,8 @@ impl Auditor {
             momenta,
             largest: [0.0; 2],
             changed: [0.0; 2],
+            period: TAU * f64::from(runner.powered.train.revolutions),
+            sums: VecDeque::new(),
         }
     }
 
@@ -62,6 +80,11 @@ impl Auditor {
         self.audit.loops = self.audit.loops.max(powered.train.loop_residual(&powered.places));
         let energy = powered.energy_here(theta, state);
         let works = &state[powered.layout.works()..];
+        self.sums.push_back(Sums { theta, energies: energy, works: powered.layout.all_works(state) });
+        let from = theta - self.period - SAME_ANGLE;
+        while self.sums.get(1).is_some_and(|second| second.theta < from) {
+            self.sums.pop_front();
+        }
         let stored: f64 = energy.iter().sum::<f64>() - self.start.iter().sum::<f64>();
         self.off = self.off.max((stored - works.iter().sum::<f64>()).abs());
         self.largest_energy = self.largest_energy.max(energy[0].abs());
@@ -87,7 +110,28 @@ impl Auditor {
         }
     }
 
-    pub fn close(mut self, runner: &mut Runner<'_>) -> (Audit, EnergyLedger) {
+    /// Works and energies over the last period between two samples, if the crank turns forward through it.
+    fn last_period(&self) -> Option<EnergyLedger> {
+        // Its end is the last sample, or the one before where the run ends between two.
+        let ends = (1..self.sums.len()).rev().take(2);
+        let (first, last) = ends.into_iter().find_map(|last| {
+            let start = self.sums[last].theta - self.period;
+            let mut before = self.sums.iter().take(last);
+            Some((before.position(|own| (own.theta - start).abs() <= SAME_ANGLE)?, last))
+        })?;
+        let turned = self.sums.range(first..=last);
+        if !turned.clone().is_sorted_by(|a, b| a.theta <= b.theta) {
+            return None;
+        }
+        let (start, end) = (&self.sums[first], &self.sums[last]);
+        let works: [f64; WORKS] = std::array::from_fn(|k| end.works[k] - start.works[k]);
+        let largest = turned.map(|own| own.energies[0].abs()).fold(0.0, f64::max);
+        let throughput = largest + works.iter().map(|work| work.abs()).sum::<f64>();
+        Some(ledger([start.energies, end.energies], works, throughput))
+    }
+
+    pub fn close(mut self, runner: &mut Runner<'_>) -> (Audit, EnergyLedger, Option<EnergyLedger>) {
+        let last_period = self.last_period();
         let works: [f64; WORKS] = runner.powered.layout.all_works(&runner.state);
         let (theta, state) = (runner.state[0], runner.state.clone());
         self.last = runner.powered.energy(theta, &state);
@@ -98,22 +142,25 @@ impl Auditor {
             self.audit.linear_momentum = Some(share(0));
             self.audit.angular_momentum = Some(share(1));
         }
-        let both = |k: usize| [self.start[k], self.last[k]];
-        let ledger = EnergyLedger {
-            kinetic: both(0),
-            mounts: both(1),
-            gravity: both(2),
-            driveline: both(3),
-            gas: works[powered::GAS],
-            load: works[powered::LOAD],
-            starter: works[powered::STARTER],
-            friction: works[powered::FRICTION],
-            piston_friction: works[powered::PISTON_FRICTION],
-            outside: works[powered::OUTSIDE],
-            mount_damping: works[powered::MOUNT_DAMPING],
-            driveline_damping: works[powered::DRIVELINE_DAMPING],
-            throughput,
-        };
-        (self.audit, ledger)
+        (self.audit, ledger([self.start, self.last], works, throughput), last_period)
+    }
+}
+
+fn ledger(energies: [[f64; 4]; 2], works: [f64; WORKS], throughput: f64) -> EnergyLedger {
+    let both = |k: usize| energies.map(|own| own[k]);
+    EnergyLedger {
+        kinetic: both(0),
+        mounts: both(1),
+        gravity: both(2),
+        driveline: both(3),
+        gas: works[powered::GAS],
+        load: works[powered::LOAD],
+        starter: works[powered::STARTER],
+        friction: works[powered::FRICTION],
+        piston_friction: works[powered::PISTON_FRICTION],
+        outside: works[powered::OUTSIDE],
+        mount_damping: works[powered::MOUNT_DAMPING],
+        driveline_damping: works[powered::DRIVELINE_DAMPING],
+        throughput,
     }
 }

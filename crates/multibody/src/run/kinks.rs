@@ -13,15 +13,17 @@ pub(crate) fn kinks(
 ) -> Vec<f64> {
     let mut all = Vec::new();
     // Behind a driveline the load's angle is not the crank's: its kinks are left to the control of the steps.
-    if let (LoadLaw::Angle { period: own, points }, true) =
-        (&simulation.load.law, simulation.driveline.is_empty())
-    {
-        let whole = (period / own).round();
-        if (period / own - whole).abs() < 1e-9 {
-            for point in points {
-                all.extend((0..whole as u32).map(|turn| point[0] + own * f64::from(turn)));
-            }
+    let (own, bends) = match &simulation.load.law {
+        _ if !simulation.driveline.is_empty() => (period, Vec::new()),
+        LoadLaw::Angle { period, points } => (*period, points.iter().map(|point| point[0]).collect()),
+        LoadLaw::Map { period, curves } => {
+            (*period, curves.iter().flat_map(|curve| &curve.points).map(|point| point[0]).collect())
         }
+        _ => (period, Vec::new()),
+    };
+    let whole = (period / own).round();
+    if (period / own - whole).abs() < 1e-9 {
+        all.extend((0..whole as u32).flat_map(|turn| bends.iter().map(move |at| at + own * f64::from(turn))));
     }
     for (gas, (index, cylinder)) in
         gas.iter().flat_map(|gas| train.cylinders.iter().enumerate().map(move |cylinder| (gas, cylinder)))

@@ -25,6 +25,8 @@ pub struct Run {
     pub events: Vec<Happened>,
     /// Works and energies.
     pub energy: EnergyLedger,
+    /// The same over its last period, where the crank turns forward through a whole one and samples mark both its ends.
+    pub last_period: Option<EnergyLedger>,
     /// What must be zero.
     pub audit: Audit,
     /// What it cost.

@@ -210,6 +210,14 @@ fn a_constant_load_gives_the_speed_of_the_energy_integral() {
         let (a, b) = (run.samples.speed[k], run.samples.speed[k + per_cycle]);
         assert!((a / b - 1.0).abs() < 1e-10, "the second cycle repeats the first: {k} {a} {b}");
     }
+    // The last period by itself: it repeats, so that the load takes what the gas gives.
+    let period = run.last_period.expect("two whole cycles");
+    assert!((period.load + load * 4.0 * PI).abs() < 1e-9 * load, "{period:?}");
+    assert!((period.gas + period.load).abs() < 1e-9 * period.gas, "{period:?}");
+    assert!((period.kinetic[1] - period.kinetic[0]).abs() < 1e-9 * period.throughput, "{period:?}");
+    assert!((run.energy.gas - 2.0 * period.gas).abs() < 1e-9 * period.gas, "{:?}", run.energy);
+    let short = Simulation { duration: Duration::Revolutions(1.5), ..simulation.clone() };
+    assert_eq!(train.run(&short, Some(&gas)).expect("it runs").last_period, None);
     // The work by Simpson's rule on the samples' torques between kinks every half turn.
     let mut places = Vec::new();
     train.places_into(0.0, &mut places);

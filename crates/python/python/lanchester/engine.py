@@ -443,10 +443,12 @@ class Engine:
         part: Literal["all", "gas", "inertia"] | None = None,
         samples: int | None = None,
         cavitation: Limits = (),
+        grooves: bool | None = None,
     ) -> BearingFilms:
         """Oil films of the main and crankpin bearings: orbit, smallest film, largest pressure. The file gives width, clearance and oil.
 
-        `cavitation`: ``"reynolds"``, ``"gumbel"``, ``"full"``, or several; by default that of the file, else gumbel.
+        `cavitation`: ``"reynolds"``, ``"gumbel"``, ``"full"``, ``"mass-conserving"``, or several; by default that of the file, else gumbel. `grooves`: with those of
+        the file and their supply pressure, which takes seconds a bearing; by default where ``"mass-conserving"`` is asked for.
 
         >>> import lanchester
         >>> try:
@@ -455,7 +457,7 @@ class Engine:
         ...     error.code
         'BearingFilmsError.NoSizes'
         """
-        options = {"speed": speed, "part": part, "samples": samples, "cavitation": cavitation}
+        options = {"speed": speed, "part": part, "samples": samples, "cavitation": cavitation, "grooves": grooves}
         return self._ask("films", BearingFilms, options)
 
     def torsion(
@@ -503,10 +505,12 @@ class Engine:
         orders: int | None = None,
         gas: bool = True,
         points: Sequence[Sequence[Quantity]] = (),
+        rotors: Literal["both", "couple", "roll", "none"] = "both",
     ) -> MountStudy:
         """The block on its mounts: at rest, its rigid-body modes, forces by order over the speeds, motion of `points` [m].
 
-        `speeds` [rad/s]; without them `steps` speeds over the range of the engine.
+        `speeds` [rad/s]; without them `steps` speeds over the range of the engine. `rotors`: what acts of all that turns
+        in the block, its gyroscopic couple, that its inertia does not follow the roll, both or neither.
 
         >>> import lanchester
         >>> try:
@@ -515,7 +519,14 @@ class Engine:
         ...     "mount" in error.message
         True
         """
-        options = {"speeds": speeds, "steps": steps, "orders": orders, "gas": gas, "points": points}
+        options = {
+            "speeds": speeds,
+            "steps": steps,
+            "orders": orders,
+            "gas": gas,
+            "points": points,
+            "rotors": rotors,
+        }
         return self._ask("mounts", MountStudy, options)
 
     def inertias(self) -> Inertias:

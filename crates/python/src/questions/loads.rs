@@ -6,15 +6,15 @@ use crate::options::Options;
 use crate::prepared::Prepared;
 use crate::question::{How, Question, Run};
 use lanchester::mechanism::{
-    InternalMoments, InternalRequest, Kinematics, LoadRequest, Loads, MountStudy, PeakMode, internal_cases,
-    loads,
+    InternalMoments, InternalRequest, Kinematics, LoadRequest, Loads, MountStudy, PeakMode, RotorEffects,
+    internal_cases, loads,
 };
 use lanchester::report::{
     articulation_table, couple_orders_table, cylinders_table, findings_table, force_orders_table,
     internal_figures, internal_table, internal_text, loads_sections, loads_text, mains_table, motion_table,
     mount_figures, mount_tables, mounts_text, parts_table, peaks_table, rod_inertia_table, roll_orders_table,
 };
-use lanchester::{Inertias, MountSpeeds, inertias, mounts};
+use lanchester::{Inertias, MountSpeeds, inertias, mounts_with_rotors};
 use schemars::JsonSchema;
 use serde::ser::Error as _;
 use serde::{Serialize, Serializer};
@@ -208,10 +208,18 @@ fn read_mounts(options: &Options<'_>) -> Result<Run, Failure> {
     let orders = options.whole("orders", 1, 100)?.map_or(8, |orders| orders as u32);
     let gas = options.flag("gas")?.unwrap_or(true);
     let points = options.points("points")?;
+    let words = [
+        ("both", RotorEffects::BOTH),
+        ("couple", RotorEffects::COUPLE),
+        ("roll", RotorEffects::ROLL),
+        ("none", RotorEffects::NONE),
+    ];
+    let effects = options.word("rotors", &words)?.unwrap_or_default();
     Ok(Box::new(move |engines, _| {
         let own = &engines[0];
         let traces = if gas { Some(own.traces()?) } else { None };
-        let found = mounts(own.engine(), &speeds, orders, traces, &points).map_err(Failure::refused)?;
+        let found = mounts_with_rotors(own.engine(), &speeds, orders, traces, &points, effects)
+            .map_err(Failure::refused)?;
         Ok(Data::new(
             found,
             own,

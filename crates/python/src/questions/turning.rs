@@ -16,7 +16,7 @@ use lanchester::report::{
     torque_table, torque_text,
 };
 use lanchester::{
-    BearingFilms, TorqueReport, TorqueReportRequest, bearing_films, bearing_report, bearing_sizes,
+    BearingFilms, Grooves, TorqueReport, TorqueReportRequest, bearing_films, bearing_report, bearing_sizes,
     torque_report,
 };
 use schemars::JsonSchema;
@@ -183,14 +183,15 @@ fn read_bearings(options: &Options<'_>) -> Result<Run, Failure> {
 
 fn read_films(options: &Options<'_>) -> Result<Run, Failure> {
     let (speed, asked, samples) = (options.speed("speed")?, part(options)?, bearing_samples(options)?);
-    let words =
-        [("full", Cavitation::Full), ("gumbel", Cavitation::Gumbel), ("reynolds", Cavitation::Reynolds)];
+    let words = Cavitation::ALL.map(|model| (model.name(), model));
     let models = options.words("cavitation", &words)?;
+    let asked_for = options.flag("grooves")?.unwrap_or(models.contains(&Cavitation::MassConserving));
+    let grooves = if asked_for { Grooves::Solved } else { Grooves::LeftOut };
     Ok(Box::new(move |engines, _| {
         let own = &engines[0];
         let request = BearingRequest { speed, part: part_of(own, asked)?, counterweights: true, samples };
         let loads = bearing_report(own.engine(), own.traces()?, &request).map_err(Failure::refused)?;
-        let found = bearing_films(own.engine(), &loads, &models).map_err(Failure::refused)?;
+        let found = bearing_films(own.engine(), &loads, &models, grooves).map_err(Failure::refused)?;
         Ok(Data::new(
             found,
             own,

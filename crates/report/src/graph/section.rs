@@ -292,7 +292,7 @@ fn energy_figure(audit: &Audit) -> Option<Figure> {
         let of = groups.iter().filter(|(_, taken)| sign * **taken > 0.0);
         of.map(|(name, taken)| (name.clone(), taken.abs())).collect()
     };
-    let panel = energy_flow(&side(-1.0), &side(1.0))?;
+    let panel = energy_flow(&side(-1.0), &side(1.0), &[])?;
     let caption = "Energy that elements gave, left, and took in, right, over the cycle; elements that are alike together.";
     Some(figure("bond-graph-energy", "Energy through the bonds", caption, vec![panel]))
 }

@@ -10,14 +10,21 @@ const TRUNK: f64 = 170.0;
 const GAP: f64 = 14.0;
 const WORDS: f64 = 200.0;
 
+/// Height of a line of words within the trunk [px].
+const LINE: f64 = 16.0;
+
 /// Points of a curve from the trunk to a flow.
 const POINTS: usize = 24;
 
 /// Flows below this share of the largest side are left out.
 const THIN: f64 = 1e-3;
 
-/// Draws it; `None` where nothing flows. Names and energies [J], all positive.
-pub(crate) fn energy_flow(given: &[(String, f64)], taken: &[(String, f64)]) -> Option<Panel> {
+/// Draws it; `None` where nothing flows. Names and energies [J], all positive; `within`: what the trunk between both sides is divided into, from above.
+pub(crate) fn energy_flow(
+    given: &[(String, f64)],
+    taken: &[(String, f64)],
+    within: &[(String, f64)],
+) -> Option<Panel> {
     let sum = |flows: &[(String, f64)]| flows.iter().map(|(_, energy)| energy).sum::<f64>();
     let whole = sum(given).max(sum(taken));
     if !(whole > 0.0 && whole.is_finite()) {
@@ -53,12 +60,26 @@ pub(crate) fn energy_flow(given: &[(String, f64)], taken: &[(String, f64)]) -> O
         }
     }
     svg.rect("weight", left + 70.0, middle - TRUNK / 2.0, right - left - 140.0, TRUNK);
+    let mut top = middle - TRUNK / 2.0;
+    for (name, energy) in within {
+        let tall = TRUNK * energy / whole;
+        svg.rect("weight", left + 70.0, top, right - left - 140.0, tall);
+        if tall > LINE {
+            let words = format!("{name} {} J", number::short(*energy, 4));
+            svg.text("small", (0.5 * (left + right), top + tall / 2.0 + 4.0), Anchor::Middle, &words);
+        }
+        top += tall;
+    }
     let list = |flows: &[(String, f64)]| -> String {
         let each: Vec<String> =
             flows.iter().map(|(name, energy)| format!("{name} {} J", number::short(*energy, 4))).collect();
         each.join(", ")
     };
-    let description = format!("Comes in: {}. Goes: {}.", list(&given), list(&taken));
+    let between = match within {
+        [] => String::new(),
+        parts => format!(" By way of: {}.", list(parts)),
+    };
+    let description = format!("Comes in: {}.{between} Goes: {}.", list(&given), list(&taken));
     Some(Panel::new(svg, description))
 }
 
@@ -86,9 +107,18 @@ mod tests {
         let panel = energy_flow(
             &flows(&[("gas", 100.0)]),
             &flows(&[("load", 70.0), ("friction", 29.99), ("dampers", 0.01)]),
+            &[],
         )
         .expect("energy flows");
         assert_eq!(panel.description, "Comes in: gas 100.0 J. Goes: load 70.00 J, friction 29.99 J.");
-        assert!(energy_flow(&[], &flows(&[("load", 0.0)])).is_none());
+        assert!(energy_flow(&[], &flows(&[("load", 0.0)]), &[]).is_none());
+        let parts = flows(&[("work", 40.0), ("heat", 60.0)]);
+        let panel =
+            energy_flow(&flows(&[("fuel", 100.0)]), &flows(&[("load", 40.0), ("walls", 60.0)]), &parts);
+        let told = panel.expect("energy flows").description;
+        assert_eq!(
+            told,
+            "Comes in: fuel 100.0 J. By way of: work 40.00 J, heat 60.00 J. Goes: load 40.00 J, walls 60.00 J."
+        );
     }
 }

@@ -3,6 +3,7 @@
 use crate::kit::number;
 use crate::kit::rounding::among;
 use crate::kit::table::{Cell, Column, Table, column_cells, numbers, words};
+use lanchester_mechanism::RotorEffects;
 use lanchester_mechanism::{
     COORDINATES, DampedMode, MountMode, MountStudy, OrderResponse, SpeedResponse, vector_amplitude,
 };
@@ -21,12 +22,26 @@ pub fn mounted_body_words(study: &MountStudy) -> String {
         true => format!(" ({} kg of pistons and rods added)", number::short(body.added_mass, 4)),
         false => String::new(),
     };
+    let acts = match study.rotor_effects {
+        RotorEffects { couple: true, roll: true } => {
+            "the gyroscopic couple is counted, and that roll does not turn it"
+        }
+        RotorEffects { couple: true, roll: false } => {
+            "the gyroscopic couple is counted; as if it were held fast in the block, roll turns it"
+        }
+        RotorEffects { couple: false, roll: true } => {
+            "that roll does not turn it is counted, the gyroscopic couple left out"
+        }
+        RotorEffects { couple: false, roll: false } => {
+            "it is taken as held fast in the block, without gyroscopic couple"
+        }
+    };
     let rotors = match study.rotors == 0.0 {
         true => String::new(),
-        false => format!(
-            " What turns in it has {} kg m² for its spin: the gyroscopic couple is counted, and that roll does not turn it.",
-            number::short(study.rotors, 4)
-        ),
+        false => {
+            let inertia = number::short(study.rotors, 4);
+            format!(" What turns in it has {inertia} kg m² for its spin: {acts}.")
+        }
     };
     format!(
         "The block: {} kg{added}, centre at x = {x}, y = {y}, z = {z} mm, moments of inertia {}, {} and {} kg m² about x, y and z.{rotors}",

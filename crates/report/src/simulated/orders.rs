@@ -223,23 +223,21 @@ fn over_angle(result: &SimulationResult) -> Vec<Figure> {
     let turns =
         samples.theta.last().zip(samples.theta.first()).map_or(0.0, |(end, start)| (end - start) / TAU);
     let range = if turns <= WHOLE { 0..samples.reactions.len() } else { result.last_period() };
-    let (Some(reactions), Some(theta)) = (samples.reactions.get(range.clone()), samples.theta.get(range))
-    else {
-        return Vec::new();
-    };
-    let (Some(first), Some(start)) = (reactions.first(), theta.first()) else { return Vec::new() };
+    let Some(reactions) = samples.reactions.get(range.clone()) else { return Vec::new() };
+    let Some(first) = reactions.first() else { return Vec::new() };
+    let (abscissa, unit_of, axis) = result.abscissa(range);
     let count = first.cylinders.len();
     let of =
         |pick: &dyn Fn(&lanchester_multibody::CylinderReactions) -> f64, index: usize| -> Vec<(f64, f64)> {
             let values = reactions.iter().map(|all| pick(&all.cylinders[index]));
-            theta.iter().map(|theta| (theta - start) / TAU).zip(values).collect()
+            axis.iter().copied().zip(values).collect()
         };
     let each = |pick: &dyn Fn(&lanchester_multibody::CylinderReactions) -> f64| -> Vec<_> {
         (0..count).map(|index| curve(&format!("cylinder {}", index + 1), index, of(pick, index))).collect()
     };
     let motion = [("position", "m"), ("speed", "m/s"), ("acceleration", "m/s²")].into_iter().enumerate();
     let motion = motion
-        .map(|(k, (name, unit))| panel(["revolutions", name], ["1", unit], None, each(&|c| c.travel[k])));
+        .map(|(k, (name, unit))| panel([abscissa, name], [unit_of, unit], None, each(&|c| c.travel[k])));
     let pistons = figure(
         "simulated-pistons",
         "Motion of the pistons",
@@ -248,7 +246,7 @@ fn over_angle(result: &SimulationResult) -> Vec<Figure> {
     );
     let forces = [("outwards along the throw", 0), ("across the throw", 1)];
     let panels =
-        forces.map(|(name, k)| panel(["revolutions", name], ["1", "N"], None, each(&|c| c.throw_frame[k])));
+        forces.map(|(name, k)| panel([abscissa, name], [unit_of, "N"], None, each(&|c| c.throw_frame[k])));
     let rods = figure(
         "simulated-rod-forces",
         "Forces of the rods on their crankpins",

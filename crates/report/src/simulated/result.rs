@@ -1,5 +1,6 @@
 //! A simulated run with what its reader must know.
 
+use crate::simulated::energy::PeriodHeat;
 use lanchester_multibody::{Followed, MainRule, Occasion, PeriodicOutcome, Run, thinned};
 use serde::Serialize;
 use std::borrow::Cow;
@@ -37,6 +38,8 @@ pub struct SimulationResult {
     /// What is written has every one that was asked for ([`SimulationResult::written`]).
     #[serde(skip)]
     pub every: usize,
+    /// Heat of the last period, where the pressures are those of a computed cycle and every cylinder has all its fuel.
+    pub heat: Option<PeriodHeat>,
     /// Motion of the points of the block that were asked for.
     pub points: Vec<PointMotion>,
     /// The run.
@@ -89,6 +92,7 @@ impl SimulationResult {
             mains: self.mains.clone(),
             periodic: self.periodic.clone(),
             gears: self.gears.clone(),
+            heat: self.heat,
             points: self.points.iter().map(point).collect(),
             run: self.run.every(self.every),
             every: 1,
@@ -103,6 +107,20 @@ impl SimulationResult {
         let from = end - TAU * f64::from(self.revolutions) - 1e-9;
         let first = theta.iter().position(|at| *at >= from).unwrap_or(0);
         if theta[0] > from + 2e-9 { 0..theta.len() } else { first..theta.len() }
+    }
+
+    /// What curves over some samples are drawn over, with its unit: revolutions from the first of them, time where the crank turns back.
+    pub(crate) fn abscissa(&self, range: std::ops::Range<usize>) -> (&'static str, &'static str, Vec<f64>) {
+        let samples = &self.run.samples;
+        let since = |values: &[f64], unit: f64| -> Vec<f64> {
+            let first = values.first().copied().unwrap_or(0.0);
+            values.iter().map(|value| (value - first) / unit).collect()
+        };
+        let theta = samples.theta.get(range.clone()).unwrap_or_default();
+        if theta.is_sorted() {
+            return ("revolutions", "1", since(theta, TAU));
+        }
+        ("time", "s", since(samples.time.get(range).unwrap_or_default(), 1.0))
     }
 
     /// Highest, lowest and mean (over time) speed in the last whole period [rad/s].

@@ -4,6 +4,7 @@ use crate::kit::number;
 use crate::kit::paragraph::push_wrapped;
 use crate::kit::table::{Cell, Table};
 use crate::simulated::columns::{table, words};
+use crate::simulated::energy::energy_table;
 use crate::simulated::moving::{gears_table, points_table};
 use crate::simulated::orders::{joints_table, orders_table};
 use crate::simulated::result::{PeriodicResult, SimulationResult, occasion_words};
@@ -177,7 +178,7 @@ pub(crate) fn simulation_tables(result: &SimulationResult) -> Vec<Table> {
     tables.extend(joints_table(result));
     tables.extend(gears_table(result));
     tables.extend(mains_table(result));
-    tables.push(energy_table(&result.run));
+    tables.push(energy_table(result));
     if !result.run.events.is_empty() {
         tables.push(events_table(result));
     }
@@ -187,20 +188,29 @@ pub(crate) fn simulation_tables(result: &SimulationResult) -> Vec<Table> {
 fn speed_table(result: &SimulationResult) -> Table {
     let [most, least, mean] = result.speeds();
     let rpm = |speed: f64| Cell::number(number::rpm(speed), 7);
-    // Of an engine that comes to rest or turns back it says nothing.
-    let turns = least > 0.0 && mean > 0.0;
-    let fluctuation = if turns { Cell::number(100.0 * (most - least) / mean, 4) } else { Cell::Empty };
+    let mut columns = vec![words("mean", "rpm"), words("highest", "rpm"), words("lowest", "rpm")];
+    if least > 0.0 && mean > 0.0 {
+        columns.push(words("fluctuation", "%"));
+        let row = vec![rpm(mean), rpm(most), rpm(least), Cell::number(100.0 * (most - least) / mean, 4)];
+        return table("simulated-speed", "Speed in the last period", "", columns, vec![row]);
+    }
+    // Of a crank that stands or turns back the last period says nothing.
+    let samples = &result.run.samples;
+    let (most, least) =
+        samples.speed.iter().fold((f64::NEG_INFINITY, f64::INFINITY), |(most, least), speed| {
+            (most.max(*speed), least.min(*speed))
+        });
+    let mean = match (&samples.theta[..], &samples.time[..]) {
+        ([first, .., last], [from, .., to]) if to > from => (last - first) / (to - from),
+        _ => mean,
+    };
+    let note = "The crank comes to rest or turns back: its last period has no mean speed.";
     table(
         "simulated-speed",
-        "Speed in the last period",
-        "",
-        vec![
-            words("mean", "rpm"),
-            words("highest", "rpm"),
-            words("lowest", "rpm"),
-            words("fluctuation", "%"),
-        ],
-        vec![vec![rpm(mean), rpm(most), rpm(least), fluctuation]],
+        "Speed over the run",
+        note,
+        columns,
+        vec![vec![rpm(mean), rpm(most), rpm(least)]],
     )
 }
 
@@ -270,45 +280,6 @@ fn mains_table(result: &SimulationResult) -> Option<Table> {
     let note = "Rigid bodies leave the loads of more than two bearings open: each rule is one answer, their spread is what is not known.";
     let title = "Main bearings: largest load in the last period by three rules";
     Some(table("simulated-mains", title, note, columns, rows.collect()))
-}
-
-/// Works and changes of what is stored, by name [J].
-pub(super) fn energy_parts(run: &Run) -> Vec<(String, f64)> {
-    let e = &run.energy;
-    let stored = [
-        ("kinetic energy", e.kinetic),
-        ("springs of the mounts", e.mounts),
-        ("gravity", e.gravity),
-        ("springs of the driveline", e.driveline),
-    ];
-    let works = [
-        ("gas", e.gas),
-        ("load", e.load),
-        ("starter", e.starter),
-        ("friction", e.friction),
-        ("friction of the pistons", e.piston_friction),
-        ("drive and other torques from the ground", e.outside),
-        ("dampers of the mounts", e.mount_damping),
-        ("dampers of the driveline", e.driveline_damping),
-    ];
-    let works = works.into_iter().filter(|(_, work)| *work != 0.0);
-    let changes = stored.into_iter().filter(|(_, [a, b])| *a != 0.0 || *b != 0.0);
-    let works = works.map(|(name, work)| (format!("work of {name}"), work));
-    works.chain(changes.map(|(name, [a, b])| (format!("stored: {name}"), b - a))).collect()
-}
-
-/// The energy ledger.
-fn energy_table(run: &Run) -> Table {
-    let rows = energy_parts(run).into_iter();
-    let rows = rows.map(|(name, energy)| vec![Cell::text(name), Cell::number(energy, 6)]).collect();
-    let note = "Works put in, and what is stored of them: both sums are equal.";
-    table(
-        "simulated-energy",
-        "Energy over the run",
-        note,
-        vec![words("part", ""), words("energy", "J")],
-        rows,
-    )
 }
 
 /// The events.

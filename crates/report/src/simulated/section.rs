@@ -1,14 +1,14 @@
 //! The section of the report on the simulated run: speed, torque, block, mounts, and where the energy goes.
 
 use crate::kit::figure::{Figure, Panel};
-use crate::kit::flow::energy_flow;
 use crate::kit::section::Section;
 use crate::kit::xy_plot::XyCurve;
+use crate::simulated::energy::energy_figures;
 use crate::simulated::figure::{curve, figure, panel};
 use crate::simulated::orders::reaction_figures;
 use crate::simulated::result::SimulationResult;
 use crate::simulated::run::{audit_words, simulation_tables, simulation_words};
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::PI;
 
 /// A simulated run, as a section of a report.
 pub fn simulation_section(result: &SimulationResult) -> Section {
@@ -45,10 +45,9 @@ pub fn simulation_figures(result: &SimulationResult) -> Vec<Figure> {
         vec![panel(["time", "speed"], ["s", "rpm"], None, curves)],
     )];
     let range = result.last_period();
-    let start = samples.theta[range.start];
+    let (name, unit, axis) = result.abscissa(range.clone());
     let over = |values: &[f64]| -> Vec<(f64, f64)> {
-        let theta = samples.theta[range.clone()].iter().map(|theta| (theta - start) / TAU);
-        theta.zip(values[range.clone()].iter().copied()).collect()
+        axis.iter().copied().zip(values[range.clone()].iter().copied()).collect()
     };
     let torques = [
         ("gas", &samples.gas_torque),
@@ -66,37 +65,12 @@ pub fn simulation_figures(result: &SimulationResult) -> Vec<Figure> {
             "simulated-torque",
             "Torques in the last period",
             "Torques on crankshaft 1, positive with the rotation.",
-            vec![panel(["revolutions", "torque"], ["1", "N m"], None, curves)],
+            vec![panel([name, "torque"], [unit, "N m"], None, curves)],
         ));
     }
     figures.extend(block_figures(result));
     figures.extend(reaction_figures(result));
-    let e = &result.run.energy;
-    let works = [
-        ("gas", e.gas),
-        ("load", e.load),
-        ("starter", e.starter),
-        ("friction", e.friction),
-        ("pistons' friction", e.piston_friction),
-        ("drive and others", e.outside),
-        ("mounts' dampers", e.mount_damping),
-        ("driveline's dampers", e.driveline_damping),
-        ("kinetic energy", e.kinetic[0] - e.kinetic[1]),
-        ("mounts' springs", e.mounts[0] - e.mounts[1]),
-        ("gravity", e.gravity[0] - e.gravity[1]),
-        ("driveline's springs", e.driveline[0] - e.driveline[1]),
-    ];
-    let side = |sign: f64| -> Vec<(String, f64)> {
-        let of = works.iter().filter(|(_, work)| sign * work > 0.0);
-        of.map(|(name, work)| ((*name).to_owned(), work.abs())).collect()
-    };
-    if let Some(panel) = energy_flow(&side(1.0), &side(-1.0)) {
-        let caption = format!(
-            "Works and stored energies over the run, widths in proportion. They close to {:.1e} of the throughput.",
-            result.run.audit.energy
-        );
-        figures.push(figure("simulated-energy", "Where the energy goes", &caption, vec![panel]));
-    }
+    figures.extend(energy_figures(result));
     figures
 }
 
@@ -136,21 +110,20 @@ fn block_figures(result: &SimulationResult) -> Vec<Figure> {
             vec![panel(["y", "x"], ["m", "m"], Some(0.0), paths)],
         ));
     }
-    let start = samples.theta[range.start];
+    let (abscissa, unit, over) = result.abscissa(range.clone());
     let panels: Vec<Panel> = result
         .mounts
         .iter()
         .enumerate()
         .map(|(mount, name)| {
             let along = |k: usize| -> Vec<(f64, f64)> {
-                let theta = samples.theta[range.clone()].iter().map(|theta| (theta - start) / TAU);
                 let forces =
                     samples.mounts[range.clone()].iter().map(|all| all.get(mount).map_or(0.0, |f| f[k]));
-                theta.zip(forces).collect()
+                over.iter().copied().zip(forces).collect()
             };
             let curves =
                 ["x", "y", "z"].into_iter().enumerate().map(|(k, axis)| curve(axis, k, along(k))).collect();
-            panel(["revolutions", &format!("force on {name}")], ["1", "N"], None, curves)
+            panel([abscissa, &format!("force on {name}")], [unit, "N"], None, curves)
         })
         .collect();
     if !panels.is_empty() {

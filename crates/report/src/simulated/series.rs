@@ -1,10 +1,10 @@
 //! A simulated run as columns, and as CSV: what a spreadsheet or a table file takes.
 
 use crate::kit::table::{csv_number, push_csv_line};
+use crate::simulated::energy::energy_rows;
 use crate::simulated::orders::order_series;
 use crate::simulated::result::{SimulationResult, occasion_words};
-use crate::simulated::run::energy_parts;
-use lanchester_multibody::MainRule;
+use lanchester_multibody::{CylinderReactions, MainRule, RunOutcome, Wrench};
 
 /// A column of numbers with its head, the unit in brackets.
 pub type NamedSeries = (String, Vec<f64>);
@@ -46,7 +46,7 @@ pub fn simulation_trace_columns(result: &SimulationResult) -> SimulationColumns 
     SimulationColumns { names: None, numbers: simulation_trace(result) }
 }
 
-/// Side thrust, pins, gears, main bearings by the three rules and shaft torque at every sample.
+/// Forces and moments of walls and pins, gears, main bearings by the three rules and shaft torque at every sample; a column `incomplete` of a run that did not come to its end.
 pub fn simulation_reactions_columns(result: &SimulationResult) -> SimulationColumns {
     SimulationColumns { names: None, numbers: simulation_reactions(result) }
 }
@@ -56,10 +56,15 @@ pub fn simulation_orders_columns(result: &SimulationResult) -> SimulationColumns
     SimulationColumns { names: None, numbers: order_series(result) }
 }
 
-/// Works and changes of what is stored.
+/// Works and changes of what is stored, over the run and over its last period; the heat of its cycles; NaN where there is none.
 pub fn simulation_energy_columns(result: &SimulationResult) -> SimulationColumns {
-    let (names, energies) = energy_parts(&result.run).into_iter().unzip();
-    SimulationColumns { names: Some(("part".into(), names)), numbers: vec![("energy [J]".into(), energies)] }
+    let rows = energy_rows(result);
+    let names = rows.iter().map(|row| row.0.to_owned()).collect();
+    let numbers = vec![
+        ("energy [J]".into(), rows.iter().map(|row| row.1).collect()),
+        ("last period [J]".into(), rows.iter().map(|row| row.2).collect()),
+    ];
+    SimulationColumns { names: Some(("part".into(), names)), numbers }
 }
 
 /// Events.
@@ -121,10 +126,25 @@ fn simulation_trace(result: &SimulationResult) -> Vec<NamedSeries> {
             columns.push((format!("{name} force_{axis} [N]"), forces));
         }
     }
+    columns.extend(incomplete(result, samples.time.len()));
     columns
 }
 
-/// Side thrust, pins, mains by the three rules and shaft torque at every sample.
+/// A joint of a cylinder and what acts in it.
+type Joint = (&'static str, fn(&CylinderReactions) -> &Wrench);
+
+/// Joints of a cylinder, from the wall inwards.
+const JOINTS: [Joint; 3] =
+    [("wall", |own| &own.wall), ("piston_pin", |own| &own.piston_pin), ("lower_pin", |own| &own.lower_pin)];
+
+/// The column that marks a run which did not come to its end: a table of it looks like that of another.
+fn incomplete(result: &SimulationResult, rows: usize) -> Option<NamedSeries> {
+    let ended =
+        matches!(result.run.outcome, RunOutcome::Complete | RunOutcome::Stopped | RunOutcome::AtRest { .. });
+    (!ended).then(|| ("incomplete".into(), vec![1.0; rows]))
+}
+
+/// Walls, pins, mains by the three rules and shaft torque at every sample.
 fn simulation_reactions(result: &SimulationResult) -> Vec<NamedSeries> {
     let result = &*result.written();
     let samples = &result.run.samples;
@@ -133,14 +153,18 @@ fn simulation_reactions(result: &SimulationResult) -> Vec<NamedSeries> {
     let reactions = &samples.reactions;
     let cylinders = reactions.first().map_or(0, |first| first.cylinders.len());
     for index in 0..cylinders {
-        let of = |pick: &dyn Fn(&lanchester_multibody::CylinderReactions) -> f64| -> Vec<f64> {
+        let of = |pick: &dyn Fn(&CylinderReactions) -> f64| -> Vec<f64> {
             reactions.iter().map(|r| pick(&r.cylinders[index])).collect()
         };
         let name = format!("cylinder {}", index + 1);
         columns.push((format!("{name} side_thrust [N]"), of(&|c| c.side_thrust)));
-        for (k, axis) in ["x", "y", "z"].into_iter().enumerate() {
-            columns.push((format!("{name} piston_pin_{axis} [N]"), of(&|c| c.piston_pin.force[k])));
-            columns.push((format!("{name} lower_pin_{axis} [N]"), of(&|c| c.lower_pin.force[k])));
+        for (joint, wrench) in JOINTS {
+            for (k, axis) in ["x", "y", "z"].into_iter().enumerate() {
+                columns.push((format!("{name} {joint}_{axis} [N]"), of(&|c| wrench(c).force[k])));
+            }
+            for (k, axis) in ["x", "y", "z"].into_iter().enumerate() {
+                columns.push((format!("{name} {joint}_moment_{axis} [N m]"), of(&|c| wrench(c).moment[k])));
+            }
         }
         for (k, unit) in ["position [m]", "speed [m/s]", "acceleration [m/s2]"].into_iter().enumerate() {
             columns.push((format!("{name} piston_{unit}"), of(&|c| c.travel[k])));
@@ -174,5 +198,6 @@ fn simulation_reactions(result: &SimulationResult) -> Vec<NamedSeries> {
         }
     }
     columns.push(("shaft_torque [N m]".into(), reactions.iter().map(|r| r.shaft_torque).collect()));
+    columns.extend(incomplete(result, reactions.len()));
     columns
 }

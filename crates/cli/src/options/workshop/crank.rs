@@ -10,25 +10,25 @@ use std::path::PathBuf;
 pub struct GivenFactor {
     /// Share of the reciprocating mass that the counterweight takes beyond the rotating mass, as motorcycle shops
     /// count it; V8 shops: 100 % of the rotating and this share of the reciprocating mass.
-    #[arg(long, value_name = "SHARE", allow_hyphen_values = true)]
+    #[arg(long, value_name = "SHARE")]
     pub reciprocating_share: Option<String>,
     /// The same with the oil of --oil counted as rotating.
-    #[arg(long, value_name = "SHARE", allow_hyphen_values = true, requires = "oil")]
+    #[arg(long, value_name = "SHARE", requires = "oil")]
     pub wet_share: Option<String>,
     /// Share of rotating and reciprocating mass together.
-    #[arg(long, value_name = "SHARE", allow_hyphen_values = true)]
+    #[arg(long, value_name = "SHARE")]
     pub total_share: Option<String>,
     /// Mass at each crankpin that brings the crank to rest.
     #[arg(long, value_name = "MASS")]
     pub bobweight: Option<String>,
     /// That mass over all masses at the pin: big ends and reciprocating.
-    #[arg(long, value_name = "SHARE", allow_hyphen_values = true)]
+    #[arg(long, value_name = "SHARE")]
     pub bobweight_share: Option<String>,
     /// The counterweight's part opposite each throw, mass times radius.
     #[arg(long, value_name = "UNBALANCE")]
     pub counterweight: Option<String>,
     /// First-order force along the cylinders over that across them; 1 is a circle.
-    #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
+    #[arg(long, value_name = "NUMBER")]
     pub axis_ratio: Option<String>,
     /// The factor with the smallest peak of the first-order force.
     #[arg(long)]
@@ -48,7 +48,7 @@ pub struct FactorArguments {
     #[arg(long, value_name = "MASS")]
     pub oil: Option<String>,
     /// Direction of the counterweight from the throw; default: as built, or 180 deg.
-    #[arg(long, value_name = "ANGLE", allow_hyphen_values = true)]
+    #[arg(long, value_name = "ANGLE")]
     pub angle: Option<String>,
     /// Draw the primary ellipse into this SVG file.
     #[arg(long, value_name = "SVG")]
@@ -96,7 +96,7 @@ pub struct CrankArguments {
     #[command(flatten)]
     pub crank: CrankInput,
     /// Two planes, `name=z, name=z`; default: those of the sheet, or the outermost webs.
-    #[arg(long, value_name = "PLANES", allow_hyphen_values = true)]
+    #[arg(long, value_name = "PLANES")]
     pub planes: Option<String>,
     /// Draw what the crank carries along its length, and what is left, into this SVG file.
     #[arg(long, value_name = "FILE")]
@@ -113,7 +113,7 @@ pub struct ExternalArguments {
     #[command(flatten)]
     pub crank: CrankInput,
     /// The two planes outside, `name=z, name=z`; with `name=z @ radius` the mass of the weight at that radius is told too.
-    #[arg(long, value_name = "PLANES", allow_hyphen_values = true)]
+    #[arg(long, value_name = "PLANES")]
     pub planes: String,
     /// Share of every counterweight of the file that stays.
     #[arg(long, value_name = "SHARE", default_value = "100%")]

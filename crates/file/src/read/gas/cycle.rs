@@ -52,9 +52,16 @@ impl<'a> Reader<'a> {
             );
         }
         let gas_constant = section.number("gas_constant").or(AIR);
-        let intake = Self::reservoir(gas, "intake", ambient, INTAKE_TEMPERATURE);
-        let is_zone = kind == Some("single-zone");
-        let exhaust = Self::reservoir_if(gas, ambient, is_zone);
+        let (intake, exhaust) = match kind {
+            Some("sealed") => {
+                let closed = Self::state(section, ambient, INTAKE_TEMPERATURE);
+                (closed, closed)
+            }
+            _ => (
+                Self::reservoir(gas, "intake", ambient, INTAKE_TEMPERATURE),
+                Self::reservoir_if(gas, ambient, kind == Some("single-zone")),
+            ),
+        };
         let process = kind.and_then(|kind| self.process(kind, gas, section, strokes));
         Some(GasCycle {
             compression_ratio: compression_ratio??,
@@ -70,6 +77,10 @@ impl<'a> Reader<'a> {
         let Some(section) = Self::gas_table(gas, key)? else {
             return Some(Reservoir { pressure: ambient?, temperature });
         };
+        Self::state(section, ambient, temperature)
+    }
+
+    fn state(section: &Section, ambient: Option<f64>, temperature: f64) -> Option<Reservoir> {
         let pressure = section.number("pressure").or(ambient.unwrap_or_default());
         let temperature = section.number("temperature").or(temperature);
         Some(Reservoir { pressure: pressure.filter(|_| ambient.is_some())?, temperature: temperature? })
@@ -118,6 +129,7 @@ impl<'a> Reader<'a> {
                 let split = self.heat_split(section);
                 Some(GasProcess::Seiliger { fuel: fuel?, split: split? })
             }
+            "sealed" => Some(GasProcess::Sealed),
             _ => self.single_zone(gas, strokes?).map(Box::new).map(GasProcess::SingleZone),
         }
     }

@@ -3,7 +3,7 @@
 use crate::document::{Field, Section};
 use crate::read::reader::Reader;
 use lanchester_diagnostic::Mistake;
-use lanchester_model::{Governor, LoadLaw, ReactsOn, RunLoad, Starter};
+use lanchester_model::{Governor, LoadCurve, LoadLaw, ReactsOn, RunLoad, Starter};
 use std::f64::consts::TAU;
 
 /// Keys that belong to one law of a load or another.
@@ -60,7 +60,7 @@ impl<'a> Reader<'a> {
     fn load_table(&mut self, section: &'a Section) -> Option<LoadLaw> {
         let tables = self.required(section, "table", section.tables("table"))?;
         let over_angle = tables.iter().any(|table| table.has("angle"));
-        let (key, other) = if over_angle { ("angle", "speed") } else { ("speed", "angle") };
+        let is_map = tables.iter().any(|table| table.has("angle") && table.has("speed"));
         let period = section.number("period").or(TAU)?;
         if !over_angle && section.has("period") {
             self.without_effect(section, "period", "the table is over the speed", "leave it out");
@@ -73,48 +73,73 @@ impl<'a> Reader<'a> {
             );
             return None;
         }
-        let mut points: Vec<[f64; 2]> = Vec::new();
+        let (key, other) = if over_angle { ("angle", "speed") } else { ("speed", "angle") };
+        // Of one kind one curve; over both one a speed.
+        let mut curves: Vec<LoadCurve> = Vec::new();
         let mut is_good = true;
         for table in tables {
-            if table.has(other) {
+            if !is_map && table.has(other) {
                 let message = format!("a point of a load's table has `{other}`, others have `{key}`");
                 self.mistakes.push(
                     Mistake::error("E1803", table.key_span(other), message)
-                        .hint("give all points a speed, or all an angle"),
+                        .hint("give all points a speed, all an angle, or all both"),
                 );
                 is_good = false;
                 continue;
             }
+            let speed = if is_map { self.required(table, "speed", table.number("speed")) } else { Some(0.0) };
             let at = self.required(table, key, table.number(key));
             let torque = self.required(table, "torque", table.number("torque"));
-            let (Some(at), Some(torque)) = (at, torque) else {
+            let (Some(speed), Some(at), Some(torque)) = (speed, at, torque) else {
                 is_good = false;
                 continue;
             };
-            if points.last().is_some_and(|last| last[0] >= at) {
-                self.must_rise(table, key, &format!("{key}s of a load"));
+            if curves.last().is_some_and(|last| last.speed > speed) {
+                self.must_rise(table, "speed", "speeds of a load");
                 is_good = false;
             }
-            if over_angle && at >= period {
+            if curves.last().is_none_or(|last| last.speed != speed) {
+                curves.push(LoadCurve { speed, points: Vec::new() });
+            }
+            let Some(LoadCurve { points, .. }) = curves.last_mut() else { continue };
+            if points.last().is_some_and(|last| last[0] >= at) {
+                let within = if is_map { " at one speed" } else { "" };
+                self.must_rise(table, key, &format!("{key}s of a load{within}"));
+                is_good = false;
+            }
+            points.push([at, torque]);
+            is_good &= self.check_load_point(table, over_angle.then_some(period), [at, torque]);
+        }
+        if !is_good {
+            return None;
+        }
+        if is_map {
+            return Some(LoadLaw::Map { period, curves });
+        }
+        let points = curves.into_iter().next()?.points;
+        Some(if over_angle { LoadLaw::Angle { period, points } } else { LoadLaw::Table(points) })
+    }
+
+    /// Whether an angle lies within the period, and a torque over the speed alone is not negative.
+    fn check_load_point(&mut self, table: &Section, period: Option<f64>, [angle, torque]: [f64; 2]) -> bool {
+        match period {
+            Some(period) if angle >= period => {
                 let message = "an angle of a load lies beyond the period of its table";
                 self.mistakes.push(
-                    Mistake::error("E1803", table.value_span(key), message)
+                    Mistake::error("E1803", table.value_span("angle"), message)
                         .hint("give angles from 0 to below `period`, which is 360 deg by default"),
                 );
-                is_good = false;
             }
-            if !over_angle && torque < 0.0 {
+            None if torque < 0.0 => {
                 let message = "the torque of a load over the speed must not be negative";
                 self.mistakes.push(
                     Mistake::error("E1803", table.value_span("torque"), message)
                         .hint("it acts against the rotation; a table over the angle may change its sign"),
                 );
-                is_good = false;
             }
-            points.push([at, torque]);
+            _ => return true,
         }
-        let law = if over_angle { LoadLaw::Angle { period, points } } else { LoadLaw::Table(points) };
-        is_good.then_some(law)
+        false
     }
 
     /// `[starter]`: the outer `None` says bad, the inner one absent.

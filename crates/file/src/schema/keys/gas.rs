@@ -138,9 +138,9 @@ static CYCLE: Table = Table {
     keys: &[
         key(
             "type",
-            Kind::Choice(&["otto", "diesel", "seiliger", "single-zone"]),
+            Kind::Choice(&["otto", "diesel", "seiliger", "sealed", "single-zone"]),
             Required,
-            "Otto: heat at constant volume. Diesel: heat at constant pressure. Seiliger: both, in this order. Single-zone: filling and emptying through the valves, heat release by \
+            "Otto: heat at constant volume. Diesel: heat at constant pressure. Seiliger: both, in this order. Sealed: a closed cylinder without valves and heat, in which p V^n stays the same in every revolution. Single-zone: filling and emptying through the valves, heat release by \
              Wiebe functions, heat to the walls.",
             "\"single-zone\"",
         ),
@@ -148,7 +148,7 @@ static CYCLE: Table = Table {
             "heat_capacity_ratio",
             Kind::Number(Positive),
             Optional,
-            "Ratio of the specific heats; default 1.4 for ideal cycles, 1.32 for a single zone.",
+            "Ratio of the specific heats, and n of a closed cylinder; default 1.4, for a single zone 1.32.",
             "1.32",
         ),
         quantity(
@@ -169,6 +169,18 @@ static CYCLE: Table = Table {
             Optional,
             "Seiliger: share of the heat at constant volume, in place of the peak pressure.",
             "\"40 %\"",
+        ),
+        pressure(
+            "pressure",
+            "Sealed: absolute pressure at bottom dead centre; default that of the surroundings.",
+            "\"1 bar\"",
+        ),
+        quantity(
+            "temperature",
+            Temperature,
+            Positive,
+            "Sealed: temperature at bottom dead centre; default 25 degC.",
+            "\"25 degC\"",
         ),
     ],
 };

@@ -323,7 +323,7 @@ pub(super) static LOAD: Table = Table {
             "table",
             Kind::Tables(&LOAD_POINT, MOST_POINTS),
             Optional,
-            "Points of a table, straight between: all with `speed` (constant beyond) or all with `angle` (repeating).",
+            "Points of a table, straight between: all with `speed` (constant beyond), all with `angle` (repeating), or all with both: then for each speed in turn the angles.",
             "[{ speed = \"1000 rpm\", torque = \"50 N m\" }, { speed = \"3000 rpm\", torque = \"90 N m\" }]",
         ),
         quantity(

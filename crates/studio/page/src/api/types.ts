@@ -1940,6 +1940,8 @@ export type FilmOrbit = {
   contact_time: number;
   /** Journal centre at every instant of the load [m]. */
   eccentricity: Array<[number, number]>;
+  /** Oil that grooves and holes give, mean [m3/s]; 0 where the film has none. */
+  feed_flow: number;
   /** Friction power, mean over the period [W]: torques and motion of the journal, contact left out. */
   friction_power: number;
   /** Largest film pressure [Pa] and its instant over the period. */
@@ -1956,11 +1958,11 @@ export type FilmOrbit = {
   outcome: OrbitOutcome;
   /** Periods integrated. */
   periods: number;
-  /** Oil that leaves at the ends, mean [m3/s]; what a feed pressure adds is left out. */
+  /** Oil that leaves at the ends, mean [m3/s]. */
   side_flow: number;
   /** Steps of the integrator. */
   steps: number;
-  /** Largest difference of the table's force from that of the film solved directly, over the load. */
+  /** Largest difference of the table's force from that of the film solved directly, over the load; 0 where every film of the orbit is solved directly. */
   table_error: number;
 };
 
@@ -3050,6 +3052,8 @@ export type MountStudy = {
   points: PointMotion[];
   /** Against speed, by order. */
   response: MountResponse;
+  /** What of them acts on the motion. */
+  rotor_effects: RotorEffects;
   /** Angular momentum of all rotors whose inertia is known over the speed of crankshaft 1 [kg m^2]. */
   rotors: number;
   /** What all mounts together pass on, against frequency. */
@@ -3657,6 +3661,14 @@ export type RippleOutcome = SpeedRipple & {
   outcome: "incomplete-inertia";
 } | StoppedEngine & {
   outcome: "stops";
+};
+
+/** What of the rotors acts on the motion of the block. */
+export type RotorEffects = {
+  /** Their gyroscopic couple. */
+  couple: boolean;
+  /** Their polar inertia does not follow the roll. */
+  roll: boolean;
 };
 
 /** What is saved. */

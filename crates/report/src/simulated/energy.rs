@@ -1,0 +1,159 @@
+//! Where the energy goes: works and what is stored, over the run and over its last period, and the heat of the gas beside them.
+
+use crate::kit::figure::Figure;
+use crate::kit::flow::energy_flow;
+use crate::kit::number;
+use crate::kit::table::{Cell, Table};
+use crate::simulated::columns::{table, words};
+use crate::simulated::figure::figure;
+use crate::simulated::result::SimulationResult;
+use lanchester_multibody::EnergyLedger;
+use serde::Serialize;
+
+/// Heat of the computed cycles of all cylinders in one period, at its mean speed [J].
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, schemars::JsonSchema)]
+pub struct PeriodHeat {
+    /// Mean speed of crankshaft 1 [rad/s].
+    pub speed: f64,
+    /// Energy of the fuel.
+    pub fuel: f64,
+    /// What of it does not burn.
+    pub unburned: f64,
+    /// Heat to the walls.
+    pub walls: f64,
+    /// What the exhaust carries away, less what the intake brings.
+    pub exhaust: f64,
+    /// Work on the pistons in cycles at this speed: that of the run differs by what its speed varies.
+    pub indicated: f64,
+}
+
+impl PeriodHeat {
+    /// Parts of the fuel beside the work, by name.
+    fn losses(&self) -> [(&'static str, f64); 3] {
+        [("not burned", self.unburned), ("walls", self.walls), ("exhaust", self.exhaust)]
+    }
+}
+
+/// Works, positive where they put energy in, and what left the stores, by name [J].
+fn flows(e: &EnergyLedger) -> [(&'static str, f64); 12] {
+    [
+        ("gas", e.gas),
+        ("load", e.load),
+        ("starter", e.starter),
+        ("friction", e.friction),
+        ("pistons' friction", e.piston_friction),
+        ("drive and others", e.outside),
+        ("mounts' dampers", e.mount_damping),
+        ("driveline's dampers", e.driveline_damping),
+        ("kinetic energy", e.kinetic[0] - e.kinetic[1]),
+        ("mounts' springs", e.mounts[0] - e.mounts[1]),
+        ("gravity", e.gravity[0] - e.gravity[1]),
+        ("driveline's springs", e.driveline[0] - e.driveline[1]),
+    ]
+}
+
+fn side(flows: &[(&str, f64)], sign: f64) -> Vec<(String, f64)> {
+    let of = flows.iter().filter(|(_, work)| sign * work > 0.0);
+    of.map(|(name, work)| ((*name).to_owned(), work.abs())).collect()
+}
+
+/// Pictures of the run and of its last period.
+pub(crate) fn energy_figures(result: &SimulationResult) -> Vec<Figure> {
+    let mut figures = Vec::new();
+    let works = flows(&result.run.energy);
+    let closes = format!("They close to {:.1e} of the throughput.", result.run.audit.energy);
+    if let Some(panel) = energy_flow(&side(&works, 1.0), &side(&works, -1.0), &[]) {
+        let caption = format!("Works and stored energies over the run, widths in proportion. {closes}");
+        figures.push(figure("simulated-energy", "Where the energy goes", &caption, vec![panel]));
+    }
+    let Some(period) = &result.run.last_period else { return figures };
+    let mut works: Vec<(&str, f64)> = flows(period).to_vec();
+    let mut within = Vec::new();
+    let mut caption = String::from("Works and stored energies of the last period, widths in proportion.");
+    if let Some(heat) = &result.heat {
+        // In place of the gas: what it comes from, and what of that does not reach the pistons.
+        works.retain(|(name, _)| *name != "gas");
+        works.insert(0, ("fuel", heat.fuel));
+        works.extend(heat.losses().map(|(name, energy)| (name, -energy)));
+        caption = format!(
+            "Energy of the fuel in the last period and where it goes, widths in proportion; the gas does {} J of work on the pistons. Heat is that of cycles at the mean speed, \
+             whose work is {} J: by this difference both sides differ.",
+            number::short(period.gas, 5),
+            number::short(heat.indicated, 5),
+        );
+    }
+    let (given, taken) = (side(&works, 1.0), side(&works, -1.0));
+    if let Some(heat) = &result.heat {
+        let lost: f64 = heat.losses().iter().map(|(_, energy)| energy).sum();
+        let whole: f64 = given.iter().map(|(_, energy)| energy).sum();
+        within = vec![("work".to_owned(), whole - lost), ("heat".to_owned(), lost)];
+    }
+    if let Some(panel) = energy_flow(&given, &taken, &within) {
+        let title = "Where the energy of a period goes";
+        figures.push(figure("simulated-period-energy", title, &caption, vec![panel]));
+    }
+    figures
+}
+
+/// Works and changes of what is stored, by name [J].
+pub(super) fn energy_parts(e: &EnergyLedger) -> [(&'static str, f64); 12] {
+    [
+        ("work of gas", e.gas),
+        ("work of load", e.load),
+        ("work of starter", e.starter),
+        ("work of friction", e.friction),
+        ("work of friction of the pistons", e.piston_friction),
+        ("work of drive and other torques from the ground", e.outside),
+        ("work of dampers of the mounts", e.mount_damping),
+        ("work of dampers of the driveline", e.driveline_damping),
+        ("stored: kinetic energy", e.kinetic[1] - e.kinetic[0]),
+        ("stored: springs of the mounts", e.mounts[1] - e.mounts[0]),
+        ("stored: gravity", e.gravity[1] - e.gravity[0]),
+        ("stored: springs of the driveline", e.driveline[1] - e.driveline[0]),
+    ]
+}
+
+/// Name, energy over the run and over its last period [J]; NaN where there is none. Parts that the run has not are left out.
+pub(super) fn energy_rows(result: &SimulationResult) -> Vec<(&'static str, f64, f64)> {
+    let period = result.run.last_period.as_ref().map(energy_parts);
+    let whole = energy_parts(&result.run.energy).into_iter().enumerate();
+    let rows = whole.map(|(k, (name, energy))| (name, energy, period.map_or(f64::NAN, |own| own[k].1)));
+    let mut rows: Vec<_> =
+        rows.filter(|(_, energy, period)| *energy != 0.0 || (period.is_finite() && *period != 0.0)).collect();
+    if let Some(heat) = &result.heat {
+        let parts = [
+            ("heat: fuel", heat.fuel),
+            ("heat: not burned", heat.unburned),
+            ("heat: walls", heat.walls),
+            ("heat: exhaust less intake", heat.exhaust),
+        ];
+        rows.extend(
+            parts
+                .into_iter()
+                .filter(|(_, energy)| *energy != 0.0)
+                .map(|(name, energy)| (name, f64::NAN, energy)),
+        );
+    }
+    rows
+}
+
+/// The energy ledger.
+pub(super) fn energy_table(result: &SimulationResult) -> Table {
+    let number = |energy: f64| if energy.is_finite() { Cell::number(energy, 6) } else { Cell::text("-") };
+    let mut columns = vec![words("part", ""), words("whole run", "J")];
+    let with_period = result.run.last_period.is_some();
+    if with_period {
+        columns.push(words("last period", "J"));
+    }
+    let row = |(name, whole, period): (&str, f64, f64)| {
+        let both = [Cell::text(name), number(whole)];
+        both.into_iter().chain(with_period.then(|| number(period))).collect()
+    };
+    let rows = energy_rows(result).into_iter().map(row).collect();
+    let heat = match result.heat {
+        Some(_) => " Heat is that of the computed cycles at the mean speed of the last period.",
+        None => "",
+    };
+    let note = format!("Works put in, and what is stored of them: both sums are equal.{heat}");
+    table("simulated-energy", "Energy", &note, columns, rows)
+}
