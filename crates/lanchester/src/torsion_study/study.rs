@@ -119,9 +119,11 @@ pub fn torsion(
         notes,
         crank,
     };
+    let swing = largest_swing(&result);
+    let is_known = swing <= LARGE_SWING;
     let limit = |quantity, allowed: Option<f64>, values: &[f64]| {
         let (at, found) = peak(values);
-        allowed.map(|allowed| TorsionLimit { quantity, allowed, found, speed: speeds[at] })
+        allowed.map(|allowed| TorsionLimit { quantity, allowed, found, speed: speeds[at], is_known })
     };
     let stresses = result.stresses();
     if design.stress_limit.is_some() && result.sweep.shafts.iter().all(|shaft| shaft.stress_rate.is_none()) {
@@ -132,21 +134,21 @@ pub fn torsion(
         result.limits.extend(limit(LimitedQuantity::Stress, design.stress_limit, &stresses));
     }
     result.limits.extend(limit(LimitedQuantity::Twist, design.twist_limit, &result.sweep.twist.total));
-    swing_note(&mut result);
+    if !is_known {
+        result.notes.push(format!(
+            "pendulums swing by ±{:.0} deg, beyond the linear theory: their order falls with the swing",
+            swing.to_degrees()
+        ));
+    }
     Ok(result)
 }
 
 /// Swing of a pendulum [rad] beyond which the linear theory is far off.
 const LARGE_SWING: f64 = 0.5;
 
-fn swing_note(result: &mut TorsionResult) {
-    let largest = result.sweep.pendulums.iter().map(|pendulum| peak(&pendulum.swing).1).fold(0.0, f64::max);
-    if largest > LARGE_SWING {
-        result.notes.push(format!(
-            "pendulums swing by ±{:.0} deg, beyond the linear theory: their order falls with the swing",
-            largest.to_degrees()
-        ));
-    }
+/// Of all pendulums at all speeds [rad].
+fn largest_swing(result: &TorsionResult) -> f64 {
+    result.sweep.pendulums.iter().map(|pendulum| peak(&pendulum.swing).1).fold(0.0, f64::max)
 }
 
 fn speeds(

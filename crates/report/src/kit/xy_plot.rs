@@ -4,7 +4,7 @@ use crate::kit::axis::Axis;
 use crate::kit::figure::Panel;
 use crate::kit::number::{self, Scale};
 use crate::kit::plot::{BOTTOM, HEIGHT, LEFT, Legend, RIGHT, WIDTH, tick_below, value_axis};
-use crate::kit::svg::{Anchor, Path, Svg};
+use crate::kit::svg::{Anchor, Path, Svg, text_width};
 
 /// One curve, or dots where `dots`.
 pub(crate) struct XyCurve {
@@ -43,6 +43,9 @@ impl XyPlot<'_> {
         };
         let mut x_range = range(&mut all().map(|p| p.0));
         let mut y_range = range(&mut all().map(|p| p.1));
+        if !rays.is_empty() {
+            y_range.1 *= HEADROOM;
+        }
         if let Some(least) = self.polar {
             let reach =
                 [x_range.0, x_range.1, y_range.0, y_range.1].iter().fold(least, |m, v| m.max(v.abs()));
@@ -77,12 +80,18 @@ impl XyPlot<'_> {
         let place = |&(x, y): &(f64, f64)| {
             (x_axis.place(x / x_scale.divisor, LEFT, right), y_axis.place(y / y_scale.divisor, bottom, top))
         };
-        for (name, end) in rays {
-            let (from, to) = (place(&(0.0, 0.0)), place(end));
-            svg.line(&format!("s{RAY}"), from, to);
-            // Beside the line, a little before its end.
-            let at = (from.0 + 0.985 * (to.0 - from.0), from.1 + 0.985 * (to.1 - from.1));
-            svg.text("small", (at.0 - 4.0, at.1 + 3.0), Anchor::End, name);
+        // Names above the ends from left to right, higher where they would run into the one before.
+        let mut ends: Vec<(&str, (f64, f64))> =
+            rays.iter().map(|(name, end)| (name.as_str(), place(end))).collect();
+        ends.sort_by(|a, b| a.1.0.total_cmp(&b.1.0));
+        let mut last = (f64::NEG_INFINITY, 0.0);
+        for (name, to) in ends {
+            svg.line(&format!("s{RAY}"), place(&(0.0, 0.0)), to);
+            let half = 0.5 * text_width(name, 12.0);
+            let is_free = to.0 - half > last.0 + 3.0;
+            let raised = if is_free || last.1 > 0.0 { 0.0 } else { RAISED };
+            svg.text("small", (to.0, to.1 - 4.0 - raised), Anchor::Middle, name);
+            last = (to.0 + half, raised);
         }
         for curve in self.curves.iter().rev() {
             if curve.dots {
@@ -110,8 +119,10 @@ impl XyPlot<'_> {
     }
 }
 
-/// Style of rays.
+/// Style of rays, height of the plot over its highest value with them, and how much higher a name stands beside another [px].
 const RAY: usize = 5;
+const HEADROOM: f64 = 1.12;
+const RAISED: f64 = 11.0;
 
 /// How far a curve may depart from the line through the points that are kept [px].
 const DEPARTURE: f64 = 0.15;

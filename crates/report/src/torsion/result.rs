@@ -55,6 +55,8 @@ pub struct TorsionLimit {
     pub found: f64,
     /// Speed of crankshaft 1 at which it is found [rad/s].
     pub speed: f64,
+    /// Whether what is found can be trusted: not where pendulums swing beyond the linear theory.
+    pub is_known: bool,
 }
 
 /// What a limit is about.
@@ -68,9 +70,9 @@ pub enum LimitedQuantity {
 }
 
 impl TorsionLimit {
-    /// Whether it is kept.
+    /// Whether it is kept, as far as that is known.
     pub fn is_kept(&self) -> bool {
-        self.found <= self.allowed
+        self.is_known && self.found <= self.allowed
     }
 }
 

@@ -67,7 +67,11 @@ impl TorsionResult {
                 LimitedQuantity::Twist => ("twist between nose and flywheel", DEGREES, "deg"),
                 LimitedQuantity::Stress => ("vibratory shear stress", 1e-6, "MPa"),
             };
-            let verdict = if limit.is_kept() { "kept" } else { "not kept" };
+            let verdict = match (limit.is_known, limit.is_kept()) {
+                (false, _) => "not known, pendulums swing beyond the linear theory",
+                (true, true) => "kept",
+                (true, false) => "not kept",
+            };
             out.push(format!(
                 "Limit of the {name} ±{} {unit}: {verdict}, ±{} {unit} at {} rpm.",
                 number::short(scale * limit.allowed, 3),
