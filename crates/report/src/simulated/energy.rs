@@ -34,22 +34,49 @@ impl PeriodHeat {
     }
 }
 
-/// Works, positive where they put energy in, and what left the stores, by name [J].
-fn flows(e: &EnergyLedger) -> [(&'static str, f64); 12] {
+/// A work, positive where it puts energy in, or what a store gained.
+#[derive(Clone, Copy)]
+struct Part {
+    /// In pictures and in tables.
+    names: [&'static str; 2],
+    /// [J].
+    energy: f64,
+    is_stored: bool,
+}
+
+impl Part {
+    /// What it puts into the run [J].
+    fn given(&self) -> f64 {
+        if self.is_stored { -self.energy } else { self.energy }
+    }
+}
+
+fn parts(e: &EnergyLedger) -> [Part; 12] {
+    let work = |short, long, energy| Part { names: [short, long], energy, is_stored: false };
+    let store = |short, long, [start, end]: [f64; 2]| Part {
+        names: [short, long],
+        energy: end - start,
+        is_stored: true,
+    };
     [
-        ("gas", e.gas),
-        ("load", e.load),
-        ("starter", e.starter),
-        ("friction", e.friction),
-        ("pistons' friction", e.piston_friction),
-        ("drive and others", e.outside),
-        ("mounts' dampers", e.mount_damping),
-        ("driveline's dampers", e.driveline_damping),
-        ("kinetic energy", e.kinetic[0] - e.kinetic[1]),
-        ("mounts' springs", e.mounts[0] - e.mounts[1]),
-        ("gravity", e.gravity[0] - e.gravity[1]),
-        ("driveline's springs", e.driveline[0] - e.driveline[1]),
+        work("gas", "work of gas", e.gas),
+        work("load", "work of load", e.load),
+        work("starter", "work of starter", e.starter),
+        work("friction", "work of friction", e.friction),
+        work("pistons' friction", "work of friction of the pistons", e.piston_friction),
+        work("drive and others", "work of drive and other torques from the ground", e.outside),
+        work("mounts' dampers", "work of dampers of the mounts", e.mount_damping),
+        work("driveline's dampers", "work of dampers of the driveline", e.driveline_damping),
+        store("kinetic energy", "stored: kinetic energy", e.kinetic),
+        store("mounts' springs", "stored: springs of the mounts", e.mounts),
+        store("gravity", "stored: gravity", e.gravity),
+        store("driveline's springs", "stored: springs of the driveline", e.driveline),
     ]
+}
+
+/// What each part puts in, by its name in pictures [J].
+fn flows(e: &EnergyLedger) -> Vec<(&'static str, f64)> {
+    parts(e).iter().map(|part| (part.names[0], part.given())).collect()
 }
 
 fn side(flows: &[(&str, f64)], sign: f64) -> Vec<(String, f64)> {
@@ -67,7 +94,7 @@ pub(crate) fn energy_figures(result: &SimulationResult) -> Vec<Figure> {
         figures.push(figure("simulated-energy", "Where the energy goes", &caption, vec![panel]));
     }
     let Some(period) = &result.run.last_period else { return figures };
-    let mut works: Vec<(&str, f64)> = flows(period).to_vec();
+    let mut works = flows(period);
     let mut within = Vec::new();
     let mut caption = String::from("Works and stored energies of the last period, widths in proportion.");
     if let Some(heat) = &result.heat {
@@ -95,29 +122,12 @@ pub(crate) fn energy_figures(result: &SimulationResult) -> Vec<Figure> {
     figures
 }
 
-/// Works and changes of what is stored, by name [J].
-pub(super) fn energy_parts(e: &EnergyLedger) -> [(&'static str, f64); 12] {
-    [
-        ("work of gas", e.gas),
-        ("work of load", e.load),
-        ("work of starter", e.starter),
-        ("work of friction", e.friction),
-        ("work of friction of the pistons", e.piston_friction),
-        ("work of drive and other torques from the ground", e.outside),
-        ("work of dampers of the mounts", e.mount_damping),
-        ("work of dampers of the driveline", e.driveline_damping),
-        ("stored: kinetic energy", e.kinetic[1] - e.kinetic[0]),
-        ("stored: springs of the mounts", e.mounts[1] - e.mounts[0]),
-        ("stored: gravity", e.gravity[1] - e.gravity[0]),
-        ("stored: springs of the driveline", e.driveline[1] - e.driveline[0]),
-    ]
-}
-
 /// Name, energy over the run and over its last period [J]; NaN where there is none. Parts that the run has not are left out.
 pub(super) fn energy_rows(result: &SimulationResult) -> Vec<(&'static str, f64, f64)> {
-    let period = result.run.last_period.as_ref().map(energy_parts);
-    let whole = energy_parts(&result.run.energy).into_iter().enumerate();
-    let rows = whole.map(|(k, (name, energy))| (name, energy, period.map_or(f64::NAN, |own| own[k].1)));
+    let period = result.run.last_period.as_ref().map(parts);
+    let whole = parts(&result.run.energy).into_iter().enumerate();
+    let rows =
+        whole.map(|(k, part)| (part.names[1], part.energy, period.map_or(f64::NAN, |own| own[k].energy)));
     let mut rows: Vec<_> =
         rows.filter(|(_, energy, period)| *energy != 0.0 || (period.is_finite() && *period != 0.0)).collect();
     if let Some(heat) = &result.heat {
