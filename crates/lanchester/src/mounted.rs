@@ -109,7 +109,7 @@ pub fn mounts_with_rotors(
         }
     }
     let reacting = engine.block.as_ref().is_none_or(|block| block.driveline_torque != [0.0; 3]);
-    if driven > 0.0 && !reacting {
+    if driven > LEAST_MEAN && !reacting {
         warnings.push(format!(
             "the gas drives with up to {driven:.1} N m on average, and `driveline_torque` of [block] is 0: at rest the mounts \
              carry none of it"
@@ -119,6 +119,9 @@ pub fn mounts_with_rotors(
     let request = MountRequest { points: points.to_vec(), excitation: words, warnings, rotors, effects };
     Ok(mount_study(engine, &excitations, &request)?)
 }
+
+/// Mean torque of the gas below which none is told [N m]: a closed cylinder leaves rounding.
+const LEAST_MEAN: f64 = 0.001;
 
 /// What the gas does to the block at one speed.
 #[derive(Debug, Clone)]
