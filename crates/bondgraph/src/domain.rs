@@ -97,4 +97,17 @@ impl Domain {
             Domain::Mass => ["Pa", "kg/s", "kg", "Pa s"],
         }
     }
+
+    /// Units of resistance, capacitance, inertia and stiffness as they are usually written.
+    pub(crate) fn coefficient_names(self) -> [&'static str; 4] {
+        match self {
+            Domain::Translation => ["N s/m", "m/N", "kg", "N/m"],
+            Domain::Rotation => ["N m s/rad", "rad/(N m)", "kg m2", "N m/rad"],
+            Domain::Electric => ["Ohm", "F", "H", "V/C"],
+            Domain::Hydraulic => ["Pa s/m3", "m3/Pa", "Pa s2/m3", "Pa/m3"],
+            Domain::Thermal => ["K2/W", "J/K2", "K2 s/W", "K2/J"],
+            Domain::Heat => ["K/W", "J/K", "K s/W", "K/J"],
+            Domain::Mass => ["Pa s/kg", "kg/Pa", "Pa s2/kg", "Pa/kg"],
+        }
+    }
 }

@@ -10,7 +10,7 @@ mod print;
 
 pub(crate) use derivative::By;
 pub(crate) use parse::{Parsed, Scope, parse};
-pub(crate) use print::{Printed, Style, identifier, number};
+pub(crate) use print::{Printed, Style, identifier};
 
 use crate::curve::Curve;
 use std::collections::HashMap;

@@ -91,6 +91,8 @@ pub(crate) struct Element {
     /// Bond of each port.
     pub(crate) ports: Vec<usize>,
     pub(crate) law: Law,
+    /// What a drawing says of its law: a number with its unit, or a short expression.
+    pub(crate) value: Option<String>,
 }
 
 /// The law of an element in the variables of its bonds.

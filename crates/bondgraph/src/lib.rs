@@ -57,10 +57,12 @@ pub use output::draw::{
     DrawnBond, DrawnElement, DrawnName, DrawnTile, Placed, drawing, moving_drawing, placed,
 };
 pub use output::export::{graphml, modelica};
+pub use output::latex::equations_latex;
 pub use output::mathml::mathml;
+pub use output::parts::{EquationPart, PartLine};
 pub use output::shown::{Equation, Notation, ShownEquations, ShownState, ShownUnknown};
 pub use output::text::{
-    audit_text, causality_text, equations_latex, equations_text, linear_text, simulation_csv, simulation_text,
+    audit_text, causality_text, equations_text, linear_text, simulation_csv, simulation_text,
 };
 pub use output::write::graph_file;
 pub use run::audit::{Audit, BondEnergy, ElementEnergy, Residual};

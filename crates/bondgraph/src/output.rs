@@ -2,7 +2,11 @@
 
 pub(crate) mod draw;
 pub(crate) mod export;
+mod label;
+pub(crate) mod latex;
+mod layout;
 pub(crate) mod mathml;
+pub(crate) mod parts;
 pub(crate) mod shown;
 pub(crate) mod text;
 mod tiles;

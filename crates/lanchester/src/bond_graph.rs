@@ -4,7 +4,7 @@ use crate::inertias::{rotor_inertia, shaped_crankshafts};
 use crate::pressure::cylinders::cylinder_gas;
 use crate::pressure::error::GasError;
 use crate::pressure::measured::TraceFile;
-use crate::simulation::gas_torque::{chosen_load, friction_at, mean_and_friction};
+use crate::simulation::gas_torque::{chosen_load, friction_at, friction_note, mean_and_friction};
 use lanchester_bondgraph::{
     Curve, Description, EngineBlock, EngineDrive, EngineGraphError, EngineJoints, EngineLink, EngineLoad,
     EngineRequest, EngineStarter, GasStates, LoadTorque, Unit, engine_graph,
@@ -174,20 +174,18 @@ pub fn engine_bond_graph(
         }
         found.gas_states = Some(states);
     }
-    let mut mean = 0.0;
+    let (mut mean, mut friction) = (0.0, 0.0);
     if let Some(report) = &report {
         if !as_states {
             found.pressures = gauge_pressures(&report.cylinders);
             notes.push(format!("Gas: pressures at {:.0} rpm, whatever the speed.", reference * 30.0 / PI));
         }
         let (of_gas, parts) = mean_and_friction(engine, &report.cylinders, reference)?;
-        (mean, found.friction_torque) = (of_gas, friction_at(parts, reference));
+        mean = of_gas;
+        friction = friction_at(parts, reference);
+        [found.friction_torque, found.friction_growth[0], found.friction_growth[1]] = parts;
         if engine.friction.is_some() {
-            notes.push(format!(
-                "Friction: {:.4} N m, its mean effective pressure at {:.0} rpm as a constant torque.",
-                found.friction_torque,
-                reference * 30.0 / PI
-            ));
+            notes.push(friction_note(parts, reference));
         }
     }
     let law = match (&request.load, &input.load) {
@@ -195,7 +193,7 @@ pub fn engine_bond_graph(
         (None, Some(load)) => LoadTorque::from(&load.law),
         (None, None) if imposed || report.is_none() => LoadTorque::None,
         (None, None) => {
-            let load = (mean - found.friction_torque).max(0.0);
+            let load = (mean - friction).max(0.0);
             let ratio = input.driveline.iter().map(|link| link.ratio).product();
             let is_periodic = found.periodic && input.governor.is_none();
             LoadTorque::from(&chosen_load(load, reference, ratio, is_periodic, &mut notes))
@@ -309,10 +307,7 @@ fn left_out(
         ("`point`", !input.points.is_empty()),
         ("`main_stiffness`", !input.main_stiffness.is_empty()),
         ("`driveline_torque` of [block]", driveline_torque),
-        (
-            "friction without gas",
-            engine.friction.is_some() && found.friction_torque == 0.0 && engine.gas.is_none(),
-        ),
+        ("friction without gas", engine.friction.is_some() && engine.gas.is_none()),
         (
             "loss factors of mounts",
             !moves && engine.mounts.iter().any(|mount| mount.spring.is_some()) && !can_move(engine),

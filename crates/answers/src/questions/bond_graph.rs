@@ -5,8 +5,8 @@ use crate::asker::Asker;
 use crate::problem::Problem;
 use crate::questions::reading::{engine_file, in_utf16};
 use lanchester::bondgraph::{
-    CompliantJoints, EngineBlock, EngineJoints, Equation, Graph, Notation, Placed, Simulation,
-    SimulationRequest, causality_text, equations, graph_file, mathml, placed,
+    CompliantJoints, EngineBlock, EngineJoints, Graph, Notation, PartLine, Placed, ShownEquations,
+    Simulation, SimulationRequest, causality_text, equations, graph_file, mathml, placed,
 };
 use lanchester::file::Diagnostic;
 use lanchester::{BondGraphRequest, engine_bond_graph};
@@ -282,18 +282,7 @@ fn answer(text: &str, parts: &BTreeMap<String, String>) -> Result<GraphAnswer, P
             })
             .collect(),
         causality: causality_text(&graph, &found.causality),
-        equations: [
-            ("State equations", &shown.rates),
-            ("Common parts", &shown.common),
-            ("Laws of the elements", &shown.elements),
-            ("Laws of the junctions", &shown.junctions),
-            ("Signals", &shown.signals),
-            ("Parameters", &shown.parameters),
-        ]
-        .into_iter()
-        .filter(|(_, list)| !list.is_empty())
-        .map(|(title, list)| EquationList { title: title.into(), lines: list.iter().map(line).collect() })
-        .collect(),
+        equations: equation_lists(&shown),
         poles: (poles.into_iter())
             .map(|own| GraphPole {
                 real: own.real,
@@ -320,12 +309,18 @@ fn series(run: &Simulation, bond: &str, what: &str) -> (String, Vec<f64>) {
     })
 }
 
-fn line(equation: &Equation) -> EquationLine {
-    EquationLine {
-        of: equation.of.clone(),
-        mathml: mathml(&format!("{} = {}", equation.left, equation.right)),
-        unit: equation.unit.clone(),
-    }
+/// The equations under their titles, the state equations first.
+fn equation_lists(shown: &ShownEquations) -> Vec<EquationList> {
+    let mut parts = shown.parts();
+    parts.sort_by_key(|part| part.title != "State equations");
+    let line = |line: &PartLine| EquationLine {
+        of: line.equation.of.clone(),
+        mathml: mathml(&line.formula(Notation::Latex)),
+        unit: line.equation.unit.clone(),
+    };
+    (parts.iter())
+        .map(|part| EquationList { title: part.title.into(), lines: part.lines.iter().map(line).collect() })
+        .collect()
 }
 
 #[cfg(test)]

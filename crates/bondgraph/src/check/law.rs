@@ -7,6 +7,19 @@ use crate::graph::{Element, Kind, Law, StorePort};
 use crate::unit::Unit;
 use std::collections::HashMap;
 
+/// Longest expression of a drawing.
+const LONGEST_VALUE: usize = 22;
+
+/// A number with four digits.
+fn short(value: f64) -> String {
+    let rounded: f64 = format!("{value:.3e}").parse().unwrap_or(value);
+    if rounded == 0.0 || (1e-3..1e5).contains(&rounded.abs()) {
+        format!("{rounded}")
+    } else {
+        format!("{rounded:e}")
+    }
+}
+
 impl Checker<'_> {
     /// The law of an element.
     pub(super) fn law(&mut self, index: usize) {
@@ -69,7 +82,49 @@ impl Checker<'_> {
         };
         if let Some(law) = law {
             self.elements[index].law = law;
+            self.elements[index].value = given.first().and_then(|(key, text)| self.value(index, key, text));
         }
+    }
+
+    /// What a drawing says of a law: the number of a constant in SI, or the expression where it is short.
+    fn value(&mut self, index: usize, key: &str, text: &Text) -> Option<String> {
+        let is_short = text.text.chars().count() <= LONGEST_VALUE && key != "matrix" && key != "gas_constant";
+        match self.coefficient(index, key) {
+            Some((id, unit))
+                if self.pool.variables(&[id]).iter().all(|var| matches!(var, Var::Parameter(_))) =>
+            {
+                let value = short(self.number(id));
+                Some(if unit == "1" { value } else { format!("{value} {unit}") })
+            }
+            _ => is_short.then(|| text.text.clone()),
+        }
+    }
+
+    /// The one number of a law, with its unit.
+    fn coefficient(&mut self, index: usize, key: &str) -> Option<(Id, String)> {
+        let element = self.elements[index].clone();
+        let bond = element.ports[0];
+        let domain = self.bonds[bond].domain;
+        let number = bond as u32;
+        let [resistance, capacitance, inertia, stiffness] = domain.coefficient_names();
+        let (law, var, unit) = match (&element.law, key) {
+            (Law::Source(value), _) => {
+                return Some((*value, domain.unit_names()[usize::from(element.kind == Kind::Sf)].to_owned()));
+            }
+            (Law::Ratio(ratio), _) => {
+                let second = self.bonds[element.ports[1]].domain;
+                let is_transformer = element.kind == Kind::TF;
+                let above = if is_transformer { second.flow() } else { domain.effort() };
+                let below = if is_transformer { domain.flow() } else { second.flow() };
+                return Some((*ratio, above.over(below).to_string()));
+            }
+            (Law::Resistor { effort: Some(law), .. }, "resistance") => (*law, Var::Flow(number), resistance),
+            (Law::Store(ports), "inertia") => (ports[0].inverse?, Var::Flow(number), inertia),
+            (Law::Store(ports), "capacitance") => (ports[0].inverse?, Var::Effort(number), capacitance),
+            (Law::Store(ports), "stiffness") => (ports[0].effort?, Var::Displacement(number), stiffness),
+            _ => return None,
+        };
+        Some((self.pool.derivative(law, var, &mut HashMap::new()), unit.to_owned()))
     }
 
     /// An expression that must have a unit.

@@ -40,6 +40,8 @@ pub struct EngineRequest {
     pub gas_states: Option<GasStates>,
     /// Dry friction of the crank train against the rotation of crankshaft 1 [N m].
     pub friction_torque: f64,
+    /// What is added to that in proportion to the speed of crankshaft 1 [N m s/rad] and to its square [N m s^2/rad^2].
+    pub friction_growth: [f64; 2],
     /// Viscous friction of every piston along its cylinder [N s/m].
     pub piston_damping: f64,
     /// What takes the power, at the end of the driveline.
@@ -86,6 +88,7 @@ impl EngineRequest {
             pressures: Vec::new(),
             gas_states: None,
             friction_torque: 0.0,
+            friction_growth: [0.0; 2],
             piston_damping: 0.0,
             load: EngineLoad { torque: LoadTorque::None, reacts_on_block: false },
             driveline: Vec::new(),

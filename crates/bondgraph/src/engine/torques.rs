@@ -36,13 +36,27 @@ impl Builder<'_> {
         self.moves() && self.request.block != EngineBlock::Held
     }
 
+    /// Effort of the friction by the speed `f` of the crank: dry, in proportion to it, and to its square.
+    fn friction(&self) -> Option<String> {
+        let [linear, square] = self.request.friction_growth;
+        let terms = [
+            (self.request.friction_torque, "N m", "sign(f)"),
+            (linear, "N m s", "f"),
+            (square, "N m s2", "f*abs(f)"),
+        ];
+        let terms: Vec<String> = (terms.into_iter())
+            .filter(|(size, ..)| *size != 0.0)
+            .map(|(size, unit, of_speed)| format!("{}*{of_speed}", quantity(size, unit)))
+            .collect();
+        (!terms.is_empty()).then(|| terms.join(" + "))
+    }
+
     /// Load, friction, starter and drive.
     pub(crate) fn torques(&mut self) {
         let absolute = if self.moves() { "spin" } else { "crank" };
         let end = self.driveline();
         self.load(&end);
-        if self.request.friction_torque != 0.0 {
-            let law = format!("{}*sign(f)", quantity(self.request.friction_torque, "N m"));
+        if let Some(law) = self.friction() {
             self.element("friction", "R", &[("effort", &law)]);
             self.bond("crank", "friction");
         }

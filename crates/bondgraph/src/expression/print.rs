@@ -20,7 +20,7 @@ pub(crate) struct Printed<'a, N> {
 }
 
 /// A number as short as it can be written.
-pub(crate) fn number(value: f64) -> String {
+fn number(value: f64) -> String {
     let size = value.abs();
     if value == value.trunc() && size < 1e6 {
         format!("{value:.0}")
@@ -50,16 +50,36 @@ impl<N: Fn(Var) -> String> Printed<'_, N> {
     pub(crate) fn text(&self, id: Id) -> String {
         let mut out = String::new();
         self.write(id, Binding::Sum, &mut out);
-        if out.len() >= self.longest {
-            out.truncate(out.floor_char_boundary(self.longest));
-            out += " ...";
-        }
         out
+    }
+
+    /// The text of an expression before a factor.
+    pub(crate) fn factor(&self, id: Id) -> String {
+        let mut out = String::new();
+        self.write(id, Binding::Product, &mut out);
+        out
+    }
+
+    /// Whether nothing more is written; then dots stand where the first part is left out.
+    fn is_full(&self, out: &mut String) -> bool {
+        let full = out.len() >= self.longest;
+        let dots = if self.style == Style::Latex { "\\ldots" } else { "..." };
+        if full && !out.ends_with(dots) {
+            out.push(' ');
+            *out += dots;
+        }
+        full
     }
 
     fn binding(&self, id: Id) -> Binding {
         match self.pool.node(id) {
             Node::Constant(bits) if f64::from_bits(bits) < 0.0 => Binding::Sum,
+            // A mantissa with a power of ten.
+            Node::Constant(bits)
+                if self.style == Style::Latex && number(f64::from_bits(bits)).contains('e') =>
+            {
+                Binding::Product
+            }
             Node::Negative(_) | Node::Sum(..) => Binding::Sum,
             Node::Quotient(..) if self.style == Style::Latex => Binding::Atom,
             Node::Product(..) | Node::Quotient(..) => Binding::Product,
@@ -69,7 +89,7 @@ impl<N: Fn(Var) -> String> Printed<'_, N> {
     }
 
     fn write(&self, id: Id, at_least: Binding, out: &mut String) {
-        if out.len() >= self.longest {
+        if self.is_full(out) {
             return;
         }
         let latex = self.style == Style::Latex;
@@ -88,6 +108,9 @@ impl<N: Fn(Var) -> String> Printed<'_, N> {
             }
             Node::Sum(a, b) => {
                 self.write(a, Binding::Sum, out);
+                if self.is_full(out) {
+                    return;
+                }
                 match self.pool.node(b) {
                     Node::Negative(b) => {
                         *out += " - ";
@@ -109,8 +132,17 @@ impl<N: Fn(Var) -> String> Printed<'_, N> {
             }
             Node::Product(a, b) => {
                 self.write(a, Binding::Product, out);
+                if self.is_full(out) {
+                    return;
+                }
+                let at = out.len();
                 *out += if latex { " \\, " } else { "*" };
+                let factor = out.len();
                 self.write(b, Binding::Product, out);
+                // Two numbers side by side would read as one.
+                if latex && out[factor..].starts_with(|sign: char| sign.is_ascii_digit()) {
+                    out.replace_range(at..factor, " \\cdot ");
+                }
             }
             Node::Quotient(a, b) if latex => {
                 *out += "\\frac{";
@@ -121,11 +153,18 @@ impl<N: Fn(Var) -> String> Printed<'_, N> {
             }
             Node::Quotient(a, b) => {
                 self.write(a, Binding::Product, out);
+                if self.is_full(out) {
+                    return;
+                }
                 out.push('/');
                 self.write(b, Binding::Power, out);
             }
             Node::Power(a, b) => {
+                // A fraction is an atom but where an exponent stands at it.
+                let in_brackets = latex && matches!(self.pool.node(a), Node::Quotient(..));
+                *out += if in_brackets { "\\left(" } else { "" };
                 self.write(a, Binding::Atom, out);
+                *out += if in_brackets { "\\right)" } else { "" };
                 *out += if latex { "^{" } else { "^" };
                 self.write(b, if latex { Binding::Sum } else { Binding::Atom }, out);
                 if latex {
@@ -173,11 +212,13 @@ impl<N: Fn(Var) -> String> Printed<'_, N> {
         }
     }
 
-    fn number(&self, value: f64) -> String {
+    /// A number.
+    pub(crate) fn number(&self, value: f64) -> String {
         match self.style {
             Style::Modelica => format!("{value:?}"),
             Style::Text => number(value),
             Style::Latex => match number(value).split_once('e') {
+                Some(("1", exponent)) => format!("10^{{{exponent}}}"),
                 Some((mantissa, exponent)) => format!("{mantissa} \\cdot 10^{{{exponent}}}"),
                 None => number(value),
             },

@@ -1,28 +1,25 @@
 //! A graph as SVG: half arrows, causal strokes, stores that follow and free bonds marked, activated bonds as full arrows.
 //!
-//! Junctions and two-ports stand in columns by their distance from the first source, in rows by branches; one-ports stand above and
-//! below their junction. The graph of an engine stands in tiles: block and crank, every cylinder, rotor and mount.
+//! Beside the name of an element stands its value, where a number or a short expression says its law. The graph of an engine stands in
+//! tiles: block and crank, every cylinder, rotor and mount.
 
 use crate::causality::Causality;
 use crate::expression::{Id, Var};
-use crate::graph::{Graph, Kind, Law};
+use crate::graph::{Graph, Law};
 use crate::output::export::escaped;
+use crate::output::label::{Label, follows, labels};
+use crate::output::layout::{MARGIN, Places, places};
 use crate::output::tiles::{Tiled, tiled};
 use crate::run::simulate::Simulation;
 use serde::Serialize;
-use std::collections::VecDeque;
+use std::collections::BTreeMap;
 use std::fmt::Write;
 
-/// Distance of columns, of rows, and of one-ports from their junction.
-const COLUMN: f64 = 150.0;
-const ROW: f64 = 250.0;
-const LIMB: f64 = 95.0;
-const SPREAD: f64 = 84.0;
-const MARGIN: f64 = 70.0;
 const INK: &str = "#1b1f24";
 const FOLLOWS: &str = "#b45309";
 const FREE: &str = "#b91c1c";
 const SIGNAL: &str = "#1d4ed8";
+const VALUE: &str = "#4b5563";
 
 /// A graph with the places of its elements and bonds, for pictures that others draw; lengths in pixels, y downwards.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -66,6 +63,8 @@ pub struct DrawnElement {
     pub kind: String,
     /// Its middle.
     pub at: [f64; 2],
+    /// Its value: a number with its unit, or a short expression.
+    pub value: Option<String>,
     /// Whether it is a store that follows others.
     pub follows: bool,
 }
@@ -91,13 +90,9 @@ pub struct DrawnBond {
 
 /// Places of a graph with its causality.
 pub fn placed(graph: &Graph, causality: &Causality) -> Placed {
-    let layout = layout(graph);
-    let places = &layout.places;
+    let layout = layout(graph, causality);
+    let places = &layout.tiled.places;
     let most = |k: usize| places.iter().map(|place| place[k]).fold(0.0, f64::max) + MARGIN;
-    let follows = |index: usize| {
-        let ports = &graph.elements[index].ports;
-        ports.iter().any(|bond| causality.following_bonds.contains(bond) && graph.bonds[*bond].to == index)
-    };
     Placed {
         size: [most(0), most(1)],
         elements: (graph.elements.iter().enumerate())
@@ -105,11 +100,12 @@ pub fn placed(graph: &Graph, causality: &Causality) -> Placed {
                 name: element.name.clone(),
                 kind: element.written.clone(),
                 at: places[index],
-                follows: follows(index),
+                value: element.value.clone(),
+                follows: follows(graph, causality, index),
             })
             .collect(),
-        bonds: (0..graph.bonds.len()).map(|bond| drawn_bond(graph, causality, &layout, bond)).collect(),
-        tiles: (layout.tiles.iter())
+        bonds: (0..graph.bonds.len()).map(|bond| drawn_bond(graph, causality, &layout.tiled, bond)).collect(),
+        tiles: (layout.tiled.tiles.iter())
             .map(|tile| DrawnTile { title: tile.title.clone(), corner: tile.corner, size: tile.size })
             .collect(),
     }
@@ -153,20 +149,39 @@ pub fn moving_drawing(graph: &Graph, causality: &Causality, run: &Simulation, se
     still.replacen("fill=\"#ffffff\"/>\n", &format!("fill=\"#ffffff\"/>\n{flows}"), 1)
 }
 
-/// Places of elements: tiles for the graph of an engine, columns and rows for any other.
-fn layout(graph: &Graph) -> Tiled {
-    tiled(graph).unwrap_or_else(|| Tiled { places: places(graph), ..Tiled::default() })
+/// Where everything stands: tiles for the graph of an engine, columns and rows for any other.
+struct Layout {
+    labels: Vec<Label>,
+    tiled: Tiled,
+    beside: BTreeMap<usize, f64>,
+}
+
+fn layout(graph: &Graph, causality: &Causality) -> Layout {
+    let labels = labels(graph, causality);
+    if let Some(tiled) = tiled(graph, &labels) {
+        return Layout { labels, tiled, beside: BTreeMap::new() };
+    }
+    let Places { at, beside } = places(graph, &labels);
+    Layout { labels, tiled: Tiled { places: at, ..Tiled::default() }, beside }
 }
 
 /// The drawing of a graph with its causality.
 pub fn drawing(graph: &Graph, causality: &Causality) -> String {
-    let layout = layout(graph);
-    let places = &layout.places;
-    let right = places.iter().map(|p| p[0]).fold(0.0, f64::max) + MARGIN;
-    let bottom = places.iter().map(|p| p[1]).fold(0.0, f64::max) + MARGIN;
-    let right = layout.tiles.iter().map(|tile| tile.corner[0] + tile.size[0] + 20.0).fold(right, f64::max);
-    let width = right.max(460.0);
-    let bottom = layout.tiles.iter().map(|tile| tile.corner[1] + tile.size[1]).fold(bottom, f64::max);
+    let Layout { labels, tiled, beside } = layout(graph, causality);
+    let places = &tiled.places;
+    let end = |(element, [x, y]): (usize, &[f64; 2])| {
+        let wide = match beside.get(&element) {
+            Some(side) if *side > 0.0 => labels[element].left + labels[element].right + 16.0,
+            _ => labels[element].right,
+        };
+        [x + wide + 20.0, y + MARGIN]
+    };
+    let ends: Vec<[f64; 2]> = places.iter().enumerate().map(end).collect();
+    let corners =
+        tiled.tiles.iter().map(|tile| [tile.corner[0] + tile.size[0] + 20.0, tile.corner[1] + tile.size[1]]);
+    let ends: Vec<[f64; 2]> = if tiled.tiles.is_empty() { ends } else { corners.collect() };
+    let [width, bottom] = [0, 1].map(|k| ends.iter().map(|end| end[k]).fold(0.0, f64::max));
+    let width = width.max(460.0);
     let legend = bottom + 10.0;
     let mut svg = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width:.0} {:.0}\" width=\"{width:.0}\" height=\"{:.0}\" \
@@ -181,7 +196,34 @@ pub fn drawing(graph: &Graph, causality: &Causality) -> String {
         "<text x=\"20\" y=\"30\" font-size=\"16\" font-weight=\"600\" fill=\"{INK}\">{}</text>",
         escaped(&graph.name)
     );
-    for tile in &layout.tiles {
+    frames(&tiled, &mut svg);
+    if tiled.tiles.is_empty() {
+        activated(graph, places, &mut svg);
+    }
+    for bond in 0..graph.bonds.len() {
+        half_arrow(graph, causality, &tiled, bond, &mut svg);
+    }
+    for (here, [x, y], name) in tiled.stubs.values() {
+        let (anchor, shift) = if *x < places[*here][0] { ("end", -2.0) } else { ("start", 2.0) };
+        let _ = writeln!(
+            svg,
+            "<text x=\"{:.1}\" y=\"{:.1}\" font-size=\"9\" fill=\"#6b7280\" text-anchor=\"{anchor}\">{}</text>",
+            x + shift,
+            y + 3.0,
+            escaped(name)
+        );
+    }
+    for (index, label) in labels.iter().enumerate() {
+        let colour = if follows(graph, causality, index) { FOLLOWS } else { INK };
+        symbol(graph, &tiled, index, label, beside.get(&index).copied(), colour, &mut svg);
+    }
+    legend_lines(legend, &mut svg);
+    svg + "</svg>\n"
+}
+
+/// Tiles with their titles.
+fn frames(tiled: &Tiled, svg: &mut String) {
+    for tile in &tiled.tiles {
         let ([x, y], [width, height]) = (tile.corner, tile.size);
         let _ = writeln!(
             svg,
@@ -192,55 +234,9 @@ pub fn drawing(graph: &Graph, causality: &Causality) -> String {
             escaped(&tile.title)
         );
     }
-    if layout.tiles.is_empty() {
-        activated(graph, places, &mut svg);
-    }
-    for bond in 0..graph.bonds.len() {
-        half_arrow(graph, causality, &layout, bond, &mut svg);
-    }
-    for (_, [x, y], name) in layout.stubs.values() {
-        let _ = writeln!(
-            svg,
-            "<text x=\"{:.1}\" y=\"{:.1}\" font-size=\"9\" fill=\"#6b7280\" text-anchor=\"end\">{}</text>",
-            x - 2.0,
-            y + 3.0,
-            escaped(name)
-        );
-    }
-    for (index, element) in graph.elements.iter().enumerate() {
-        let [x, y] = places[index];
-        let follows = element
-            .ports
-            .iter()
-            .any(|bond| causality.following_bonds.contains(bond) && graph.bonds[*bond].to == index);
-        let colour = if follows { FOLLOWS } else { INK };
-        let name = if follows { format!("{} (follows)", element.name) } else { element.name.clone() };
-        let kind = escaped(&element.written);
-        let core = element.is_junction() || element.ports.len() > 1;
-        // The name of a junction stands on the side with fewer bonds.
-        let above = element.ports.iter().filter(|bond| {
-            let ends = &graph.bonds[**bond];
-            let other = if ends.from == index { ends.to } else { ends.from };
-            places[other][1] < y
-        });
-        let name_at = if above.count() > 1 { y + 27.0 } else { y - 15.0 };
-        let (kind_y, name_x, name_y, anchor) = if core && !element.is_junction() {
-            (y + 6.0, x, y - 17.0, "middle")
-        } else if core {
-            (y + 6.0, x + 12.0, name_at, "start")
-        } else if limb_is_up(graph, places, index) {
-            (y + 2.0, x, y - 18.0, "middle")
-        } else {
-            (y + 8.0, x, y + 25.0, "middle")
-        };
-        let _ = writeln!(
-            svg,
-            "<text x=\"{x:.1}\" y=\"{kind_y:.1}\" font-size=\"18\" font-weight=\"600\" text-anchor=\"middle\" fill=\"{colour}\">{kind}</text>\n\
-             <text x=\"{name_x:.1}\" y=\"{name_y:.1}\" font-size=\"11\" text-anchor=\"{anchor}\" fill=\"{colour}\" \
-             stroke=\"#ffffff\" stroke-width=\"3\" paint-order=\"stroke\">{}</text>",
-            escaped(&name)
-        );
-    }
+}
+
+fn legend_lines(legend: f64, svg: &mut String) {
     let words = [
         (INK, "half arrow: positive power; stroke: the effort arrives there"),
         (FOLLOWS, "store that follows others"),
@@ -256,7 +252,66 @@ pub fn drawing(graph: &Graph, causality: &Causality) -> String {
             x += 7.0 * word.len() as f64;
         }
     }
-    svg + "</svg>\n"
+}
+
+/// The letters of an element with its name and value.
+fn symbol(
+    graph: &Graph,
+    tiled: &Tiled,
+    index: usize,
+    label: &Label,
+    beside: Option<f64>,
+    colour: &str,
+    svg: &mut String,
+) {
+    let element = &graph.elements[index];
+    let places = &tiled.places;
+    let [x, y] = places[index];
+    let others: Vec<[f64; 2]> = (element.ports.iter())
+        .filter(|bond| !tiled.stubs.contains_key(bond))
+        .map(|bond| {
+            let ends = &graph.bonds[*bond];
+            places[if ends.from == index { ends.to } else { ends.from }]
+        })
+        .collect();
+    let above = others.iter().filter(|[_, oy]| *oy < y - 20.0).count();
+    let straight_above = others.iter().any(|[ox, oy]| (ox - x).abs() < 20.0 && *oy < y);
+    let ahead = others.iter().any(|[ox, _]| *ox > x + 45.0);
+    let is_core = element.is_junction() || element.ports.len() > 1;
+    // A name stands where few bonds are: of a junction on the side with fewer, of a one-port away from its bond.
+    let (kind_y, name_x, name_y, anchor) = match beside {
+        Some(side) => (y + 6.0, x + 14.0 * side, y - 2.0, if side < 0.0 { "end" } else { "start" }),
+        None if element.is_junction() && !ahead => (y + 6.0, x + 16.0, y + 4.0, "start"),
+        None if element.is_junction() => {
+            (y + 6.0, x + 12.0, if above > 1 { y + 27.0 } else { y - 15.0 }, "start")
+        }
+        None if is_core && straight_above => (y + 6.0, x + 14.0, y - 15.0, "start"),
+        None if tiled.to_the_right.contains(&index) && is_core => (y + 6.0, x - 4.0, y - 17.0, "start"),
+        None if is_core => (y + 6.0, x - 16.0, y - 17.0, "start"),
+        None if limb_is_up(graph, places, index) => (y + 2.0, x, y - 18.0, "middle"),
+        None => (y + 8.0, x, y + 25.0, "middle"),
+    };
+    let _ = writeln!(
+        svg,
+        "<text x=\"{x:.1}\" y=\"{kind_y:.1}\" font-size=\"18\" font-weight=\"600\" text-anchor=\"middle\" fill=\"{colour}\">{}</text>",
+        escaped(&element.written)
+    );
+    // The value stands below the name of a one-port, which stands higher for it, and behind that of a two-port.
+    let lift = if !is_core && label.value.is_some() && name_y < y - 10.0 { 12.0 } else { 0.0 };
+    let (along, down) = if is_core { (label.name_width() + 5.0, 0.0) } else { (0.0, 12.0) };
+    let lines = [
+        ([name_x, name_y - lift], Some(&label.name), colour),
+        ([name_x + along, name_y - lift + down], label.value.as_ref(), VALUE),
+    ];
+    for ([line_x, line_y], text, colour) in lines {
+        let Some(text) = text else { continue };
+        let _ = writeln!(
+            svg,
+            "<text x=\"{line_x:.1}\" y=\"{line_y:.1}\" font-size=\"11\" text-anchor=\"{anchor}\" fill=\"{colour}\" \
+             stroke=\"#ffffff\" stroke-width=\"3\" paint-order=\"stroke\">{}</text>",
+            escaped(text)
+        );
+    }
 }
 
 fn limb_is_up(graph: &Graph, places: &[[f64; 2]], index: usize) -> bool {
@@ -265,111 +320,14 @@ fn limb_is_up(graph: &Graph, places: &[[f64; 2]], index: usize) -> bool {
     places[index][1] < places[other][1]
 }
 
-/// Where each element stands.
-fn places(graph: &Graph) -> Vec<[f64; 2]> {
-    let count = graph.elements.len();
-    let core: Vec<bool> = graph.elements.iter().map(|e| e.is_junction() || e.ports.len() > 1).collect();
-    let neighbours = |element: usize| {
-        graph.elements[element].ports.iter().map(move |bond| {
-            let bond = &graph.bonds[*bond];
-            if bond.from == element { bond.to } else { bond.from }
-        })
-    };
-    let mut depth: Vec<Option<usize>> = vec![None; count];
-    let mut row = vec![0usize; count];
-    let mut next_row = 0;
-    let is_source = |element: usize| matches!(graph.elements[element].kind, Kind::Se | Kind::Sf);
-    let mut starts: Vec<usize> = (0..count).filter(|e| core[*e] && neighbours(*e).any(is_source)).collect();
-    starts.extend((0..count).filter(|e| core[*e]));
-    for start in starts {
-        if depth[start].is_some() {
-            continue;
-        }
-        let first_row = next_row;
-        depth[start] = Some(0);
-        row[start] = next_row;
-        let mut waiting = VecDeque::from([start]);
-        // Rows that are taken in each column, so that branches stand below one another.
-        let mut taken: Vec<(usize, usize)> = vec![(0, next_row)];
-        while let Some(at) = waiting.pop_front() {
-            let column = depth[at].unwrap_or(0) + 1;
-            // What goes on stands straight ahead, what ends there below.
-            let mut ahead: Vec<usize> = neighbours(at).filter(|other| core[*other]).collect();
-            ahead.sort_by_key(|other| std::cmp::Reverse(neighbours(*other).filter(|n| core[*n]).count()));
-            for other in ahead {
-                if depth[other].is_none() {
-                    let mut wanted = row[at];
-                    while taken.contains(&(column, wanted)) {
-                        wanted += 1;
-                    }
-                    depth[other] = Some(column);
-                    row[other] = wanted;
-                    taken.push((column, wanted));
-                    waiting.push_back(other);
-                }
-            }
-        }
-        let used = (0..count).filter(|e| depth[*e].is_some()).map(|e| row[e]).max().unwrap_or(first_row);
-        next_row = used + 1;
-    }
-    let mut limbs: Vec<[Vec<usize>; 2]> = vec![[Vec::new(), Vec::new()]; count];
-    for element in 0..count {
-        if core[element] {
-            for other in neighbours(element).filter(|other| !core[*other]).collect::<Vec<_>>() {
-                let [up, down] = &mut limbs[element];
-                if is_source(other) && up.len() <= down.len() || up.len() < down.len() {
-                    up.push(other);
-                } else {
-                    down.push(other);
-                }
-            }
-        }
-    }
-    // Columns as wide as the limbs within them need.
-    let columns = depth.iter().flatten().max().map_or(1, |most| most + 1);
-    let mut widest = vec![1usize; columns];
-    for element in 0..count {
-        if let Some(column) = depth[element] {
-            let most = limbs[element].iter().map(Vec::len).max().unwrap_or(0);
-            widest[column] = widest[column].max(most);
-        }
-    }
-    let mut across = Vec::new();
-    let mut at = MARGIN;
-    for column in 0..columns {
-        let half = SPREAD * (widest[column] - 1) as f64 / 2.0;
-        at += half;
-        across.push(at);
-        at += half.max(0.0) + COLUMN - 30.0 * f64::from(u8::from(widest[column] > 1));
-    }
-    let mut places = vec![[MARGIN, MARGIN]; count];
-    for element in 0..count {
-        let Some(column) = depth[element] else { continue };
-        let (x, y) = (across[column], MARGIN + LIMB + 20.0 + ROW * row[element] as f64);
-        places[element] = [x, y];
-        for (side, limb) in limbs[element].iter().enumerate() {
-            for (index, other) in limb.iter().enumerate() {
-                let shift = SPREAD * (index as f64 - (limb.len() - 1) as f64 / 2.0);
-                let down = if side == 0 { -LIMB } else { LIMB };
-                places[*other] = [x + shift, y + down];
-            }
-        }
-    }
-    // One-ports bonded to one another, without a junction.
-    let mut y = MARGIN + LIMB + 20.0 + ROW * next_row as f64;
-    for bond in &graph.bonds {
-        if !core[bond.from] && !core[bond.to] {
-            places[bond.from] = [MARGIN, y];
-            places[bond.to] = [MARGIN + COLUMN, y];
-            y += ROW / 2.0;
-        }
-    }
-    places
-}
-
 /// What lines keep clear of an element, above its middle and below, where its name is.
 const ABOVE: f64 = 15.0;
 const BELOW: f64 = 29.0;
+
+/// Distance of two bonds between the same elements.
+const ASIDE: f64 = 15.0;
+/// All of many.
+const WHOLE: f64 = 56.0;
 
 /// Ends of a line between two elements, clear of their letters, whose half widths are given, and of the names below them.
 fn line(a: [f64; 2], b: [f64; 2], wide: [f64; 2]) -> ([f64; 2], [f64; 2], [f64; 2]) {
@@ -382,6 +340,19 @@ fn line(a: [f64; 2], b: [f64; 2], wide: [f64; 2]) -> ([f64; 2], [f64; 2], [f64; 
     };
     let (first, last) = (gap(wide[0], uy), gap(wide[1], -uy));
     ([a[0] + first * ux, a[1] + first * uy], [b[0] - last * ux, b[1] - last * uy], [ux, uy])
+}
+
+/// How far a bond is drawn beside the straight line, where others join the same elements.
+fn aside(graph: &Graph, bond: usize) -> f64 {
+    let ends = |bond: usize| {
+        let own = &graph.bonds[bond];
+        (own.from.min(own.to), own.from.max(own.to))
+    };
+    let alike: Vec<usize> = (0..graph.bonds.len()).filter(|other| ends(*other) == ends(bond)).collect();
+    let place = alike.iter().position(|other| *other == bond).unwrap_or(0) as f64;
+    let towards = if graph.bonds[bond].from < graph.bonds[bond].to { 1.0 } else { -1.0 };
+    let distance = ASIDE.min(WHOLE / alike.len() as f64);
+    towards * distance * (place - (alike.len() as f64 - 1.0) / 2.0)
 }
 
 fn drawn_bond(graph: &Graph, causality: &Causality, layout: &Tiled, bond: usize) -> DrawnBond {
@@ -397,6 +368,8 @@ fn drawn_bond(graph: &Graph, causality: &Causality, layout: &Tiled, bond: usize)
         None => layout.places[end],
     };
     let (a, b, [ux, uy]) = line(place(ends.from), place(ends.to), [ends.from, ends.to].map(wide));
+    let aside = if stub.is_some() { 0.0 } else { aside(graph, bond) };
+    let [a, b] = [a, b].map(|[x, y]| [x - aside * uy, y + aside * ux]);
     // The barb on the side that looks down or right, at the head; the stroke across, where the effort arrives.
     let (nx, ny) = if uy.abs() > ux.abs() { (1.0, 0.0) } else { (0.0, 1.0) };
     let stroke = if causality.stroke_at_head[bond] { b } else { a };
@@ -409,7 +382,11 @@ fn drawn_bond(graph: &Graph, causality: &Causality, layout: &Tiled, bond: usize)
         stroke: [[stroke[0] - sx, stroke[1] - sy], [stroke[0] + sx, stroke[1] + sy]],
         follows: causality.following_bonds.contains(&bond),
         free: causality.free_bonds.contains(&bond),
-        leads_to: stub.map(|(_, [x, y], name)| DrawnName { at: [x - 2.0, y + 3.0], name: name.clone() }),
+        leads_to: stub.map(|(here, [x, y], name)| {
+            // A name ends at its place, also one at the right.
+            let wide = if *x < layout.places[*here][0] { -2.0 } else { 4.0 + 5.0 * name.len() as f64 };
+            DrawnName { at: [x + wide, y + 3.0], name: name.clone() }
+        }),
     }
 }
 
@@ -439,6 +416,29 @@ fn half_arrow(graph: &Graph, causality: &Causality, layout: &Tiled, bond: usize,
             bond + 1
         );
     }
+}
+
+/// Places from which signals are drawn to one element; of more, names at its arrow say which they are.
+const MOST_ORIGINS: usize = 2;
+
+/// One full arrow for all signals that an element reads.
+fn named_signals([x, y]: [f64; 2], names: &str, svg: &mut String) {
+    let _ = writeln!(
+        svg,
+        "<path d=\"M{:.1} {:.1}L{:.1} {:.1}\" stroke=\"{SIGNAL}\" stroke-dasharray=\"4 3\"/>\n\
+         <path d=\"M{:.1} {:.1}l-8.6 2.6l5.2 5.2Z\" fill=\"{SIGNAL}\"/>\n\
+         <text x=\"{:.1}\" y=\"{:.1}\" font-size=\"10\" fill=\"{SIGNAL}\" text-anchor=\"end\" stroke=\"#ffffff\" stroke-width=\"3\" \
+         paint-order=\"stroke\">{}</text>",
+        x - 36.0,
+        y + 44.0,
+        x - 8.0,
+        y + 14.0,
+        x - 6.0,
+        y + 12.0,
+        x - 14.0,
+        y + 56.0,
+        escaped(names)
+    );
 }
 
 /// Signals as thin full arrows from where they are taken to the laws that they enter.
@@ -482,7 +482,12 @@ fn activated(graph: &Graph, places: &[[f64; 2]], svg: &mut String) {
         let mut names: Vec<&str> = first.iter().map(|signal| graph.signals[*signal].name.as_str()).collect();
         names.sort_unstable();
         names.dedup();
-        for origin in origins.into_iter().filter(|origin| *origin != index) {
+        origins.retain(|origin| *origin != index);
+        if origins.len() > MOST_ORIGINS {
+            named_signals(places[index], &names.join(", "), svg);
+            continue;
+        }
+        for origin in origins {
             let ([ax, ay], [bx, by]) = (places[origin], places[index]);
             let (mx, my) = (0.5 * (ax + bx), 0.5 * (ay + by) + 62.0);
             let (tx, ty) = (bx - 4.0, by + 15.0);

@@ -27,13 +27,15 @@ struct Reader<'a> {
 }
 
 /// Letters of a command's name with the sign for it.
-const SIGNS: [(&str, &str); 8] = [
+const SIGNS: [(&str, &str); 10] = [
     ("theta", "θ"),
     ("phi", "φ"),
     ("omega", "ω"),
     ("alpha", "α"),
     ("to", "→"),
     ("cdot", "·"),
+    ("ldots", "…"),
+    ("leftarrow", "←"),
     ("min", "min"),
     ("max", "max"),
 ];
@@ -150,6 +152,7 @@ impl Reader<'_> {
             "sqrt" => format!("<msqrt>{}</msqrt>", self.group()),
             // Over the letter alone, beside its index.
             "dot" => format!("<mover>{}<mo>˙</mo></mover>", self.thing()),
+            "text" => format!("<mtext>{}</mtext>", self.word()),
             "mathrm" => format!("<mi mathvariant=\"normal\">{}</mi>", self.word()),
             "operatorname" => format!("<mi mathvariant=\"normal\">{}</mi><mo>&#x2061;</mo>", self.word()),
             // A blank, or a sign that LaTeX needs a stroke before.

@@ -1,7 +1,7 @@
 //! Equations as a textbook writes them: element laws, junction laws, state equations in causal order.
 
-use crate::equations::{Equations, What};
-use crate::expression::{Id, Pool, Printed, Style, Var, identifier, number};
+use crate::equations::{Equations, Unknown, What};
+use crate::expression::{Id, Pool, Printed, Style, Var, identifier};
 use crate::graph::{Graph, Kind, Law};
 use serde::Serialize;
 use std::collections::HashMap;
@@ -76,6 +76,9 @@ pub struct ShownState {
     pub unit: String,
     /// Its start.
     pub start: f64,
+    /// Its start as it is written.
+    #[serde(skip)]
+    pub written: String,
 }
 
 /// A variable that the states do not give directly.
@@ -85,8 +88,12 @@ pub struct ShownUnknown {
     pub symbol: String,
     /// Why it is unknown.
     pub why: String,
-    /// The equation that it must meet.
+    /// What it equals: of a store that follows the derivative of what it holds, then that derivative written out.
+    pub value: String,
+    /// The equation that it must meet: the symbol and its value.
     pub equation: String,
+    /// Its unit.
+    pub unit: String,
     /// Whether it was solved in closed form; otherwise it is solved at every evaluation.
     pub eliminated: bool,
 }
@@ -98,12 +105,14 @@ impl Equations {
         let style = if notation == Notation::Latex { Style::Latex } else { Style::Text };
         let name = |var: Var| self.variable_name(var, style);
         let mut pool = graph.pool.clone();
-        let rates: Vec<Id> = self.states.iter().map(|state| state.rate).collect();
-        let (common, rates) = named_parts(&mut pool, &rates);
+        let mut closed: Vec<Id> = self.states.iter().map(|state| state.rate).collect();
+        closed.extend(self.unknowns.iter().map(|unknown| unknown.solved.unwrap_or(unknown.value)));
+        let (common, mut rates) = named_parts(&mut pool, &closed);
+        let values = rates.split_off(self.states.len());
         let printed = Printed { pool: &pool, style, name, longest: LONGEST };
         let rate_left = |index: usize| {
             let symbol = self.variable_name(Var::State(index as u32), style);
-            if style == Style::Latex { format!("\\dot {symbol}") } else { format!("d({symbol})/dt") }
+            rate_of(&symbol, style)
         };
         let unit_of_rate = |index: usize| self.states[index].unit.over(crate::unit::Unit::SECOND).to_string();
         ShownEquations {
@@ -116,7 +125,7 @@ impl Equations {
                 .map(|parameter| Equation {
                     of: parameter.name.clone(),
                     left: self.plain_name(&parameter.name, style),
-                    right: number(parameter.value),
+                    right: printed.number(parameter.value),
                     unit: parameter.unit.to_string(),
                 })
                 .collect(),
@@ -128,11 +137,7 @@ impl Equations {
                 .enumerate()
                 .map(|(index, signal)| {
                     let symbol = self.variable_name(Var::Signal(index as u32), style);
-                    let left = match (signal.start, style) {
-                        (None, _) => symbol,
-                        (Some(_), Style::Latex) => format!("\\dot {symbol}"),
-                        (Some(_), _) => format!("d({symbol})/dt"),
-                    };
+                    let left = if signal.start.is_some() { rate_of(&symbol, style) } else { symbol };
                     let unit = match signal.start {
                         Some(_) => signal.unit.over(crate::unit::Unit::SECOND),
                         None => signal.unit,
@@ -162,6 +167,7 @@ impl Equations {
                     symbol: self.variable_name(Var::State(index as u32), style),
                     unit: state.unit_name.clone(),
                     start: state.start,
+                    written: printed.number(state.start),
                 })
                 .collect(),
             unknowns: self
@@ -170,22 +176,27 @@ impl Equations {
                 .enumerate()
                 .map(|(index, unknown)| {
                     let symbol = self.variable_name(Var::Unknown(index as u32), style);
-                    let (why, equation) = match unknown.what {
-                        What::Following(held) => (
+                    let written_out = printed.text(values[index]);
+                    let (why, value) = match (unknown.what, style) {
+                        (What::Tear, _) => ("cuts an algebraic loop", written_out),
+                        (What::Following(held), Style::Latex) => {
+                            let held = printed.text(held);
+                            let derivative = format!("\\frac{{d}}{{dt}}\\left({held}\\right)");
+                            ("rate of a store that follows", format!("{derivative} = {written_out}"))
+                        }
+                        (What::Following(held), _) => (
                             "rate of a store that follows",
-                            if style == Style::Latex {
-                                format!("{symbol} = \\frac{{d}}{{dt}}\\left({}\\right)", printed.text(held))
-                            } else {
-                                format!("{symbol} = d/dt({})", printed.text(held))
-                            },
-                        ),
-                        What::Tear => (
-                            "cuts an algebraic loop",
-                            format!("{symbol} = {}", printed.text(unknown.solved.unwrap_or(unknown.value))),
+                            format!("d/dt({}) = {written_out}", printed.text(held)),
                         ),
                     };
-                    let eliminated = unknown.solved.is_some();
-                    ShownUnknown { symbol, why: why.into(), equation, eliminated }
+                    ShownUnknown {
+                        equation: format!("{symbol} = {value}"),
+                        symbol,
+                        why: why.into(),
+                        value,
+                        unit: self.unit_of_unknown(index),
+                        eliminated: unknown.solved.is_some(),
+                    }
                 })
                 .collect(),
             common: common
@@ -213,6 +224,15 @@ impl Equations {
             }),
             right: self.mass.as_ref().map(|(_, right)| right.iter().map(|id| printed.text(*id)).collect()),
         }
+    }
+
+    fn unit_of_unknown(&self, index: usize) -> String {
+        let Unknown { name, bond, .. } = &self.unknowns[index];
+        if let Some(signal) = self.graph.signals.iter().find(|signal| signal.name == *name) {
+            return signal.unit.to_string();
+        }
+        let units = self.graph.bonds[*bond].domain.unit_names();
+        units[usize::from(name.ends_with(".flow"))].to_owned()
     }
 
     fn plain_name(&self, name: &str, style: Style) -> String {
@@ -323,7 +343,10 @@ impl Equations {
                 Law::Store(ports) => {
                     for (port, law) in ports.iter().enumerate() {
                         let bond = element.ports[port];
-                        if let Some(law) = law.flow {
+                        let follows = self.causality.following_bonds.contains(&bond);
+                        if let (true, Some(law)) = (follows, law.inverse) {
+                            self.law_of_follower(printed, element.kind, bond, law, &mut add);
+                        } else if let Some(law) = law.flow {
                             add(flow(bond), printed.text(law), units(bond)[1]);
                         } else if let Some(law) = law.effort {
                             add(effort(bond), printed.text(law), units(bond)[0]);
@@ -335,13 +358,8 @@ impl Equations {
                 }
                 Law::Ratio(ratio) => {
                     let (a, b) = (element.ports[0], element.ports[1]);
-                    let ratio = printed.text(*ratio);
-                    let sign = if printed.style == Style::Latex { " \\cdot " } else { "*" };
-                    let ratio = if ratio.contains([' ', '/']) && printed.style == Style::Text {
-                        format!("({ratio})")
-                    } else {
-                        ratio
-                    };
+                    let ratio = printed.factor(*ratio);
+                    let sign = times(printed.style);
                     if element.kind == Kind::TF {
                         add(flow(b), format!("{ratio}{sign}{}", flow(a)), units(b)[1]);
                         add(effort(a), format!("{ratio}{sign}{}", effort(b)), units(a)[0]);
@@ -357,16 +375,40 @@ impl Equations {
                             .iter()
                             .enumerate()
                             .filter(|(_, id)| !graph.pool.is_zero(**id))
-                            .map(|(k, id)| format!("({})*{}", printed.text(*id), flow(element.ports[k])))
+                            .map(|(k, id)| {
+                                let sign = times(printed.style);
+                                format!("{}{sign}{}", printed.factor(*id), flow(element.ports[k]))
+                            })
                             .collect();
                         let out = element.ports[columns + row];
-                        add(flow(out), terms.join(" + "), units(out)[1]);
+                        let sum = if terms.is_empty() { "0".to_owned() } else { terms.join(" + ") };
+                        add(flow(out), sum, units(out)[1]);
                     }
                 }
                 Law::Junction => {}
             }
         }
         laws
+    }
+
+    /// What a store in derivative causality holds by what it is given, and its rate.
+    fn law_of_follower<N: Fn(Var) -> String>(
+        &self,
+        printed: &Printed<N>,
+        kind: Kind,
+        bond: usize,
+        law: Id,
+        add: &mut impl FnMut(String, String, &str),
+    ) {
+        let (number, units) = (bond as u32, self.graph.bonds[bond].domain.unit_names());
+        let [held, rate] = match kind {
+            Kind::C => [Var::Displacement(number), Var::Flow(number)],
+            _ => [Var::Momentum(number), Var::Effort(number)],
+        };
+        let [held, rate] = [held, rate].map(&printed.name);
+        let [unit, unit_of_rate] = if kind == Kind::C { [units[2], units[1]] } else { [units[3], units[0]] };
+        add(held.clone(), printed.text(law), unit);
+        add(rate, rate_of(&held, printed.style), unit_of_rate);
     }
 
     fn junction_laws<N: Fn(Var) -> String>(&self, printed: &Printed<N>) -> Vec<Equation> {
@@ -410,6 +452,21 @@ impl Equations {
             });
         }
         laws
+    }
+}
+
+/// Between two factors.
+fn times(style: Style) -> &'static str {
+    if style == Style::Latex { " \\, " } else { "*" }
+}
+
+/// The rate of a variable.
+fn rate_of(symbol: &str, style: Style) -> String {
+    match style {
+        // A point stands over one thing.
+        Style::Latex if symbol.starts_with("\\mathrm") => format!("\\dot{{{symbol}}}"),
+        Style::Latex => format!("\\dot {symbol}"),
+        _ => format!("d({symbol})/dt"),
     }
 }
 

@@ -4,7 +4,8 @@ use crate::causality::Causality;
 use crate::causality::loops::AlgebraicLoop;
 use crate::graph::Graph;
 use crate::linear::Linear;
-use crate::output::shown::ShownEquations;
+use crate::output::parts::EquationPart;
+use crate::output::shown::{Notation, ShownEquations};
 use crate::run::motion::{PeriodicEnd, PeriodicMotion};
 use crate::run::simulate::Simulation;
 use std::fmt::Write;
@@ -43,68 +44,18 @@ fn listed(names: &[String]) -> String {
 /// Equations as plain text.
 pub fn equations_text(shown: &ShownEquations) -> String {
     let mut out = format!("{}\n", shown.graph);
-    let mut part = |title: &str, lines: Vec<String>| {
-        if !lines.is_empty() {
-            let _ = writeln!(out, "\n{title}");
-            for line in lines {
-                let _ = writeln!(out, "  {line}");
-            }
+    for EquationPart { title, lines } in shown.parts() {
+        let _ = writeln!(out, "\n{title}");
+        for line in &lines {
+            let unit = match line.equation.unit.as_str() {
+                "" => String::new(),
+                unit => format!("   [{unit}]"),
+            };
+            let why = line.why.as_ref().map_or(String::new(), |why| format!(" ({why})"));
+            let _ = writeln!(out, "  {}{unit}{why}", line.formula(Notation::Text));
         }
-    };
-    let with_unit = |left: &str, right: &str, unit: &str| {
-        if unit.is_empty() { format!("{left} = {right}") } else { format!("{left} = {right}   [{unit}]") }
-    };
-    let list = |equations: &[crate::output::shown::Equation]| {
-        equations.iter().map(|e| with_unit(&e.left, &e.right, &e.unit)).collect::<Vec<_>>()
-    };
-    part("Parameters", list(&shown.parameters));
-    part("Laws of the elements", list(&shown.elements));
-    part("Laws of the junctions", list(&shown.junctions));
-    part("Signals", list(&shown.signals));
-    let event = |e: &crate::output::shown::Equation| {
-        format!("{} rises through 0: {} becomes {}", e.of, e.left, e.right)
-    };
-    part("Events", shown.events.iter().map(event).collect());
-    part(
-        "States",
-        shown
-            .states
-            .iter()
-            .map(|s| format!("{} [{}], starts at {}", s.symbol, s.unit, crate::expression::number(s.start)))
-            .collect(),
-    );
-    part("Unknowns", shown.unknowns.iter().map(|u| format!("{} ({})", u.equation, u.why)).collect());
-    if let (Some(mass), Some(right)) = (&shown.mass, &shown.right) {
-        let lines = mass
-            .iter()
-            .zip(right)
-            .map(|(row, right)| {
-                let terms: Vec<String> = row
-                    .iter()
-                    .zip(&shown.states)
-                    .filter(|(entry, _)| *entry != "0")
-                    .map(|(entry, state)| match entry.as_str() {
-                        "1" => format!("d({})/dt", state.symbol),
-                        entry => format!("({entry})*d({})/dt", state.symbol),
-                    })
-                    .collect();
-                format!("{} = {right}", terms.join(" + "))
-            })
-            .collect();
-        part("State equations, M x' = f", lines);
     }
-    part("Common parts", list(&shown.common));
-    part("State equations", list(&shown.rates));
     out
-}
-
-/// State equations as LaTeX, one aligned block.
-pub fn equations_latex(shown: &ShownEquations) -> String {
-    let mut out = String::from("\\begin{aligned}\n");
-    for e in shown.common.iter().chain(&shown.rates) {
-        let _ = writeln!(out, "{} &= {} \\\\", e.left, e.right);
-    }
-    out + "\\end{aligned}\n"
 }
 
 /// The linear form as text.

@@ -1,14 +1,16 @@
 //! Places of an engine's graph: a tile for the block and one for every cylinder, rotor and mount.
 //!
-//! A body follows up to seven flows of block and crank, so that lines to all of them would hide everything. Within a tile bonds are drawn;
-//! a bond to another tile is a short one with the name of what stands at its other end. Tiles of cylinders are alike.
+//! A body follows up to seven flows of block and crank, so that lines to all of them would hide everything. What hangs together within a
+//! tile is a branch, whose bonds are drawn; a bond to another tile or branch is a short one with the name of what stands at its other end.
+//! Tiles of cylinders are alike.
 
-use crate::graph::Graph;
-use std::collections::BTreeMap;
+use crate::graph::{Graph, Kind};
+use crate::output::label::Label;
+use std::collections::{BTreeMap, BTreeSet, VecDeque};
 
 /// Distances within a tile: columns, rows, short bonds to other tiles.
-const COLUMN: f64 = 118.0;
-const ROW: f64 = 58.0;
+const COLUMN: f64 = 140.0;
+const ROW: f64 = 72.0;
 const STUB: f64 = 66.0;
 const STUBS: f64 = 14.0;
 /// Space around tiles, and the width from which the next shelf begins.
@@ -34,6 +36,8 @@ pub(crate) struct Tiled {
     pub(crate) tiles: Vec<Tile>,
     /// Of each bond that leads to another tile: the element at which it is drawn, where its far end is, and the name that stands there.
     pub(crate) stubs: BTreeMap<usize, (usize, [f64; 2], String)>,
+    /// Elements whose bonds to other tiles are drawn at their right.
+    pub(crate) to_the_right: BTreeSet<usize>,
 }
 
 /// What a tile holds; the order is that of the drawing.
@@ -119,7 +123,7 @@ impl Group {
 }
 
 /// Tiles of a graph that has the crank and the cylinders of an engine; none for any other.
-pub(crate) fn tiled(graph: &Graph) -> Option<Tiled> {
+pub(crate) fn tiled(graph: &Graph, labels: &[Label]) -> Option<Tiled> {
     let groups: Vec<Group> = graph.elements.iter().map(|element| Group::of(&element.name)).collect();
     let has_crank = graph.elements.iter().any(|element| element.name == "crank" && element.is_junction());
     if !has_crank || !groups.iter().any(|group| matches!(group, Group::Cylinder(_))) {
@@ -141,7 +145,7 @@ pub(crate) fn tiled(graph: &Graph) -> Option<Tiled> {
     }
     let (mut corner, mut shelf) = ([GAP, 60.0], 0.0f64);
     for (group, elements) in &members {
-        let size = tree(graph, &groups, elements, &stubs, &mut tiled.places);
+        let size = tree(graph, &groups, elements, &mut stubs, labels, &mut tiled);
         if corner[0] > GAP && corner[0] + size[0] > WIDEST {
             corner = [GAP, corner[1] + shelf + GAP];
             shelf = 0.0;
@@ -161,59 +165,177 @@ pub(crate) fn tiled(graph: &Graph) -> Option<Tiled> {
             let far = if ends.from == element { ends.to } else { ends.from };
             let down = STUBS * (place as f64 - (own.len() as f64 - 1.0) / 2.0);
             let name = graph.elements[far].name.clone();
-            tiled.stubs.insert(*bond, (element, [x - STUB, y + down], name));
+            let along = if tiled.to_the_right.contains(&element) { STUB } else { -STUB };
+            tiled.stubs.insert(*bond, (element, [x + along, y + down], name));
         }
     }
     Some(tiled)
 }
 
-/// Places the elements of one tile from its corner: what leads to other tiles at the left, what hangs on it to the right. Gives the size.
+/// A place in the grid of a tile: column and row.
+type Cell = [usize; 2];
+
+/// Places the elements of one tile from its corner: what leads to other tiles at the left, what hangs on it to the right, so that bonds
+/// lead from a column to the next, where nothing stands between. Gives the size.
 fn tree(
     graph: &Graph,
     groups: &[Group],
     elements: &[usize],
-    stubs: &[Vec<usize>],
-    places: &mut [[f64; 2]],
+    stubs: &mut [Vec<usize>],
+    labels: &[Label],
+    tiled: &mut Tiled,
 ) -> [f64; 2] {
-    let mut seen = vec![false; graph.elements.len()];
+    let branches = branches(graph, groups, elements, stubs);
+    shorten(graph, elements, &branches, stubs);
+    let mut cells: BTreeMap<usize, Cell> = BTreeMap::new();
+    let mut tops: BTreeMap<usize, f64> = BTreeMap::new();
+    let mut rows = 0.0f64;
+    for branch in &branches {
+        let placed = branch.cells(stubs);
+        // A body stands in the middle of its short bonds.
+        let above = ((STUBS * stubs[branch.root].len() as f64 / ROW - 1.0) / 2.0).max(0.0);
+        let height = placed.values().map(|cell| cell[1] + 1).max().unwrap_or(1) as f64;
+        for (element, cell) in placed {
+            tops.insert(element, rows + above);
+            cells.insert(element, cell);
+        }
+        rows += (above + height).max(2.0 * above + 1.0 + GAP / ROW);
+    }
+    let across = columns(&cells, labels);
+    for (element, [column, row]) in &cells {
+        // Whole pixels, so that tiles that are alike are so to the last digit.
+        let y = TITLE + ROW * (tops[element] + *row as f64 + 0.5);
+        tiled.places[*element] = [across[*column], y.round()];
+        let is_leaf = |bond: &usize| {
+            let ends = &graph.bonds[*bond];
+            let other = if ends.from == *element { ends.to } else { ends.from };
+            cells.get(&other).is_none_or(|cell| cell[0] <= *column)
+        };
+        if *column > 0 && graph.elements[*element].ports.iter().all(is_leaf) {
+            tiled.to_the_right.insert(*element);
+        }
+    }
+    let end = |element: &usize| {
+        let short = if stubs[*element].is_empty() || !tiled.to_the_right.contains(element) {
+            0.0
+        } else {
+            STUB + LABEL
+        };
+        tiled.places[*element][0] + labels[*element].right.max(short)
+    };
+    let width = elements.iter().map(end).fold(0.0, f64::max) + 14.0;
+    [width.ceil(), (TITLE + ROW * rows + 12.0).ceil()]
+}
+
+/// What hangs together in a tile: first what leads to other tiles, but for valves and walls, then what is left.
+fn branches(graph: &Graph, groups: &[Group], elements: &[usize], stubs: &[Vec<usize>]) -> Vec<Branch> {
     let mut roots: Vec<usize> =
         elements.iter().copied().filter(|element| !stubs[*element].is_empty()).collect();
+    roots.sort_by_key(|element| graph.elements[*element].kind == Kind::R);
     roots.extend(elements.iter().copied().filter(|element| graph.elements[*element].is_junction()));
     roots.extend(elements);
-    let (mut row, mut deepest) = (0.0f64, 0usize);
+    let mut found: Vec<Branch> = Vec::new();
     for root in roots {
-        if seen[root] {
-            continue;
+        if !found.iter().any(|branch| branch.depth.contains_key(&root)) {
+            let branch = Branch::from(graph, groups, stubs, &found, root);
+            found.push(branch);
         }
-        let first = row;
-        seen[root] = true;
-        let mut waiting = vec![(root, 0usize)];
-        let mut last = None;
-        while let Some((element, depth)) = waiting.pop() {
-            // A first branch goes straight on; every other takes a row of its own.
-            if last.is_some_and(|last| depth <= last) {
-                row += 1.0;
-            }
-            last = Some(depth);
-            deepest = deepest.max(depth);
-            places[element] = [STUB + LABEL + COLUMN * depth as f64, TITLE + ROW * (row + 0.5)];
-            for bond in graph.elements[element].ports.iter().rev() {
+    }
+    found
+}
+
+/// Has bonds from branch to branch drawn as short ones, at the root of one.
+fn shorten(graph: &Graph, elements: &[usize], branches: &[Branch], stubs: &mut [Vec<usize>]) {
+    let branch = |element: usize| branches.iter().position(|branch| branch.depth.contains_key(&element));
+    let is_root = |element: usize| branches.iter().any(|branch| branch.root == element);
+    for (index, bond) in graph.bonds.iter().enumerate() {
+        let is_within = elements.contains(&bond.from) && elements.contains(&bond.to);
+        if is_within && branch(bond.from) != branch(bond.to) {
+            stubs[if is_root(bond.from) { bond.from } else { bond.to }].push(index);
+        }
+    }
+}
+
+/// Where each column of a tile stands, so that names have space.
+fn columns(cells: &BTreeMap<usize, Cell>, labels: &[Label]) -> Vec<f64> {
+    let count = cells.values().map(|cell| cell[0] + 1).max().unwrap_or(0);
+    let (mut left, mut right) = (vec![0.0f64; count], vec![0.0f64; count]);
+    for (element, [column, _]) in cells {
+        left[*column] = left[*column].max(labels[*element].left);
+        right[*column] = right[*column].max(labels[*element].right);
+    }
+    let mut across = vec![STUB + LABEL; count];
+    for column in 1..count {
+        across[column] = across[column - 1] + COLUMN.max(right[column - 1] + left[column] + 8.0).ceil();
+    }
+    across
+}
+
+/// What hangs together within a tile, as a tree from its root by the fewest bonds.
+struct Branch {
+    root: usize,
+    depth: BTreeMap<usize, usize>,
+    /// Whether an element has more bonds than one.
+    is_through: BTreeMap<usize, bool>,
+    children: BTreeMap<usize, Vec<usize>>,
+}
+
+impl Branch {
+    /// Valves and walls, which lead to other tiles too, end it; other elements that lead there begin branches of their own.
+    fn from(graph: &Graph, groups: &[Group], stubs: &[Vec<usize>], others: &[Branch], root: usize) -> Branch {
+        let mut depth = BTreeMap::from([(root, 0)]);
+        let mut children: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+        let mut waiting = VecDeque::from([root]);
+        while let Some(element) = waiting.pop_front() {
+            for bond in &graph.elements[element].ports {
                 let ends = &graph.bonds[*bond];
                 let other = if ends.from == element { ends.to } else { ends.from };
-                if !seen[other] && groups[other] == groups[element] && stubs[other].is_empty() {
-                    seen[other] = true;
-                    waiting.push((other, depth + 1));
+                let goes_on = stubs[other].is_empty() || graph.elements[other].kind == Kind::R;
+                let is_new = !depth.contains_key(&other)
+                    && !others.iter().any(|branch| branch.depth.contains_key(&other));
+                if groups[other] == groups[root] && goes_on && is_new {
+                    depth.insert(other, depth[&element] + 1);
+                    children.entry(element).or_default().push(other);
+                    waiting.push_back(other);
                 }
             }
         }
-        let needed = (STUBS * (stubs[root].len() as f64 + 1.0) / ROW).ceil();
-        row = (row + 1.0).max(first + needed);
-        if needed > 1.0 {
-            // A body with many short bonds stands in the middle of them.
-            places[root][1] = TITLE + ROW * first + ROW * needed / 2.0;
-        }
+        let is_through =
+            depth.keys().map(|element| (*element, graph.elements[*element].ports.len() > 1)).collect();
+        Branch { root, depth, is_through, children }
     }
-    [STUB + LABEL + COLUMN * (deepest as f64 + 0.6), TITLE + ROW * row + 12.0]
+
+    fn of(&self, element: usize) -> &[usize] {
+        self.children.get(&element).map_or(&[], Vec::as_slice)
+    }
+
+    /// How far it goes on from an element.
+    fn reach(&self, element: usize) -> usize {
+        self.of(element).iter().map(|child| self.reach(*child) + 1).max().unwrap_or(0)
+    }
+
+    /// Column and row of each element: what goes on farthest straight ahead, the rest in the next free row of its column. Short bonds at
+    /// an end take the columns behind it.
+    fn cells(&self, stubs: &[Vec<usize>]) -> BTreeMap<usize, Cell> {
+        let mut cells = BTreeMap::new();
+        let mut free = vec![0usize; self.depth.len() + 3];
+        let mut waiting = vec![(self.root, 0)];
+        while let Some((element, parent_row)) = waiting.pop() {
+            let column = self.depth[&element];
+            let needs_end = column > 0 && !stubs[element].is_empty() && self.of(element).is_empty();
+            let last = if needs_end { column + 2 } else { column };
+            // In line with the first of what hangs on it.
+            let ahead = if self.of(element).is_empty() { last } else { column + 1 };
+            let row = free[column..=ahead].iter().copied().fold(parent_row, usize::max);
+            free[column..=last].fill(row + 1);
+            cells.insert(element, [column, row]);
+            let mut children = self.of(element).to_vec();
+            children.reverse();
+            children.sort_by_key(|child| (self.reach(*child), self.of(*child).len(), self.is_through[child]));
+            waiting.extend(children.into_iter().map(|child| (child, row)));
+        }
+        cells
+    }
 }
 
 #[cfg(test)]

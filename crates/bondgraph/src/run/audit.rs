@@ -1,8 +1,10 @@
 //! Energy audit: through every bond, at every junction and two-port, in every store, of the whole.
 
 use crate::equations::Equations;
-use crate::graph::{Kind, Law};
+use crate::expression::{Id, Pool, Var};
+use crate::graph::{Kind, Law, StorePort};
 use serde::Serialize;
+use std::collections::HashMap;
 
 /// Where the energy went.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -37,7 +39,7 @@ pub struct ElementEnergy {
     pub kind: Kind,
     /// What it took in [J].
     pub taken: f64,
-    /// Change of what it holds by its law [J], where that is linear.
+    /// Change of what it holds by its law [J], where that is linear; also of a store that follows others.
     pub held: Option<f64>,
     /// Their difference against the throughput.
     pub error: Option<f64>,
@@ -67,6 +69,7 @@ pub(crate) fn audit(
         (0..count).map(|bond| BondEnergy { bond: graph.bond_name(bond), energy: energies[bond] }).collect();
     let (mut elements, mut residuals) = (Vec::new(), Vec::new());
     let mut whole = 0.0;
+    let mut pool = graph.pool.clone();
     for (index, element) in graph.elements.iter().enumerate() {
         let many = matches!(element.kind, Kind::Zero | Kind::One | Kind::TF | Kind::GY);
         if many {
@@ -87,7 +90,7 @@ pub(crate) fn audit(
             let taken: f64 =
                 element.ports.iter().map(|bond| graph.bonds[*bond].sign_into(index) * energies[*bond]).sum();
             whole += taken;
-            let held = held(equations, index, samples, variables);
+            let held = held(equations, &mut pool, index, samples, variables);
             elements.push(ElementEnergy {
                 element: element.name.clone(),
                 kind: element.kind,
@@ -100,9 +103,10 @@ pub(crate) fn audit(
     Audit { bonds, elements, residuals, throughput, whole: whole.abs() / measure }
 }
 
-/// Change of half of content times its co-variable between first and last sample: the energy of a linear store.
+/// Change of the energy of a linear store between first and last sample.
 fn held(
     equations: &Equations,
+    pool: &mut Pool,
     element: usize,
     samples: &[(f64, Vec<f64>)],
     variables: &[Vec<f64>],
@@ -115,19 +119,60 @@ fn held(
         let state = equations.states.iter().position(|state| state.symbol == symbol)?;
         return Some(samples.last()?.1[state] - samples.first()?.1[state]);
     }
-    let [port] = ports.as_slice() else { return None };
-    port.inverse?;
-    let bond = graph.elements[element].ports[0];
-    // Of a heat store the content itself is the energy.
-    let share = if graph.bonds[bond].domain.is_true_bond() { 0.5 } else { 1.0 };
-    let what = if port.flow.is_some() { "momentum" } else { "displacement" };
-    let symbol = format!("{}.{what}", graph.bond_name(bond));
-    let state = equations.states.iter().position(|state| state.symbol == symbol)?;
-    let across = if port.flow.is_some() { graph.bonds.len() + bond } else { bond };
-    let energy = |sample: usize| {
-        let content = samples[sample].1[state];
-        share * content * if share == 0.5 { variables[sample][across] } else { 1.0 }
-    };
+    if !ports.iter().all(|port| port.inverse.is_some_and(|law| is_linear(pool, law))) {
+        return None;
+    }
     let last = samples.len().checked_sub(1)?;
-    Some(energy(last) - energy(0))
+    let mut change = 0.0;
+    for (port, bond) in ports.iter().zip(&graph.elements[element].ports) {
+        change += energy(equations, port, *bond, &samples[last], &variables[last])?
+            - energy(equations, port, *bond, &samples[0], &variables[0])?;
+    }
+    Some(change)
+}
+
+/// Whether a law of efforts and flows is linear in them, without a part that they do not bring.
+fn is_linear(pool: &mut Pool, law: Id) -> bool {
+    let is_own = |var: &Var| matches!(var, Var::Effort(_) | Var::Flow(_));
+    let own: Vec<Var> = pool.variables(&[law]).into_iter().filter(is_own).collect();
+    let zero = pool.constant(0.0);
+    let rest = pool.substitute(law, &mut HashMap::new(), &|var| is_own(&var).then_some(zero));
+    let is_straight = |var: Var| {
+        let slope = pool.derivative(law, var, &mut HashMap::new());
+        !pool.depends(slope, |var| is_own(&var))
+    };
+    own.into_iter().all(is_straight) && pool.is_zero(rest)
+}
+
+/// Half of content times its co-variable at a port: its share of the energy of a linear store. What a store that follows holds is what
+/// its law gives for the flow, or effort, that the others impose on it.
+fn energy(
+    equations: &Equations,
+    port: &StorePort,
+    bond: usize,
+    (time, state): &(f64, Vec<f64>),
+    variables: &[f64],
+) -> Option<f64> {
+    let graph = &equations.graph;
+    let count = graph.bonds.len();
+    let is_inertia = graph.elements[graph.bonds[bond].to].kind == Kind::I;
+    let content = if equations.causality.following_bonds.contains(&bond) {
+        graph.pool.evaluate(port.inverse?, &|var| match var {
+            Var::Time => *time,
+            Var::Parameter(index) => graph.parameters[index as usize].value,
+            Var::Effort(bond) => variables[bond as usize],
+            Var::Flow(bond) => variables[count + bond as usize],
+            Var::Signal(index) => variables[2 * count + index as usize],
+            _ => f64::NAN,
+        })
+    } else {
+        let what = if is_inertia { "momentum" } else { "displacement" };
+        let symbol = format!("{}.{what}", graph.bond_name(bond));
+        state[equations.states.iter().position(|state| state.symbol == symbol)?]
+    };
+    // Of a heat store the content itself is the energy.
+    Some(match graph.bonds[bond].domain.is_true_bond() {
+        true => 0.5 * content * variables[if is_inertia { count + bond } else { bond }],
+        false => content,
+    })
 }

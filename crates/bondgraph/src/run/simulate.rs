@@ -30,6 +30,8 @@ const GROWN: f64 = 1e6;
 
 /// Evaluations of the pass that measures sizes.
 const ROUGH: u64 = 6000;
+/// Its tolerance, where that of the run is no coarser.
+const ROUGH_TOLERANCE: f64 = 1e-5;
 
 /// What stays below this share of the largest of its unit is rounding: what symmetry keeps at zero, say.
 const ROUNDING: f64 = 1e-12;
@@ -217,28 +219,37 @@ impl Equations {
         // A rough pass measures how large each quantity becomes: absolute tolerances are shares of that. Its beginning is enough where
         // every state has moved by then: a size that is still small there makes the tolerance finer, never coarser. Energies are not
         // taken that way: what a closed valve carries is nothing for long.
-        let sizes = |compiled: &mut Compiled, most_evaluations: u64| -> (bool, Sizes) {
-            let tolerance = 1e-5f64.max(request.tolerance);
-            let rough = SimulationRequest { tolerance, most_evaluations, ..*request };
+        let coarse = ROUGH_TOLERANCE.max(request.tolerance);
+        let rough = |compiled: &mut Compiled, most_evaluations: u64| -> (Pass, Sizes) {
+            let rough = SimulationRequest { tolerance: coarse, most_evaluations, ..*request };
             let pass = self.pass(compiled, &rough, &looks(request.duration), &vec![1e-12; dimension], &start);
-            (pass.complete, self.sizes_of(compiled, &pass))
+            let sizes = self.sizes_of(compiled, &pass);
+            (pass, sizes)
         };
+        let is_cancelled = || request.cancel.is_some_and(Cancel::is_set);
         let most = request.most_evaluations;
         let beginning = if request.audit { most } else { most.min(ROUGH) };
-        let (mut is_whole, mut found) = sizes(&mut compiled, beginning);
-        if !is_whole && beginning < most && found.largest.contains(&0.0) {
-            (is_whole, found) = sizes(&mut compiled, most);
+        let (mut first, mut found) = rough(&mut compiled, beginning);
+        if !first.complete && beginning < most && found.largest.contains(&0.0) && !is_cancelled() {
+            (first, found) = rough(&mut compiled, most);
         }
-        let is_early = request.cancel.is_some_and(Cancel::is_set);
-        let mut pass = self.pass(&mut compiled, request, places, &found.absolute(request.tolerance), &start);
-        if is_early {
-            pass.ended =
-                "cancelled while the sizes of the states were measured, before the first sample".into();
-        }
-        if !pass.complete && !is_whole && beginning < most {
-            let (_, found) = sizes(&mut compiled, most);
-            pass = self.pass(&mut compiled, request, places, &found.absolute(request.tolerance), &start);
-        }
+        let (mut pass, tolerance) = if is_cancelled() {
+            // What there is: its own few samples.
+            first.complete = false;
+            first.ended = format!(
+                "cancelled at {} s of a first pass, which measures the sizes of the states: its samples, to a tolerance of {coarse:e}",
+                first.end.0
+            );
+            (first, coarse)
+        } else {
+            let mut pass =
+                self.pass(&mut compiled, request, places, &found.absolute(request.tolerance), &start);
+            if !pass.complete && !first.complete && beginning < most && !is_cancelled() {
+                let (_, found) = rough(&mut compiled, most);
+                pass = self.pass(&mut compiled, request, places, &found.absolute(request.tolerance), &start);
+            }
+            (pass, request.tolerance)
+        };
         self.end_where_not_finite(&mut pass);
         let time: Vec<f64> = pass.samples.iter().map(|(t, _)| *t).collect();
         let series = self.series(&pass);
@@ -250,7 +261,7 @@ impl Equations {
             ended: pass.ended,
             methods: pass.methods,
             stiff_from: pass.stiff_from,
-            tolerance: request.tolerance,
+            tolerance,
             time,
             series,
             events: pass.events,

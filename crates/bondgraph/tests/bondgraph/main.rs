@@ -11,6 +11,7 @@ mod external;
 mod gas;
 mod graph_file;
 mod joints;
+mod notation;
 mod output;
 mod periodic;
 mod printed;

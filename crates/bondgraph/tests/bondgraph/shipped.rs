@@ -1,7 +1,10 @@
 //! The graphs in `examples/bond-graphs` against their exact answers.
 
-use lanchester_bondgraph::{Equations, Graph, Method, Notation, Simulation, equations};
+use lanchester_bondgraph::{
+    Cancel, Equations, Graph, Method, Notation, Simulation, SimulationRequest, equations,
+};
 use nalgebra::{DMatrix, DVector};
+use std::sync::atomic::{AtomicBool, Ordering};
 
 fn shipped(text: &str) -> Equations {
     let graph = Graph::read(text).unwrap_or_else(|mistakes| panic!("{mistakes:#?}"));
@@ -211,6 +214,47 @@ fn slider_crank_piston_follows_and_the_energy_balance_is_exact() {
     let gained = kinetic(samples) - kinetic(0);
     let work = -taken("motor") - taken("rub");
     assert!((gained - work).abs() < 1e-9 * audit.throughput, "{gained} {work}");
+    // The piston follows the crank: it holds 1/2 m v^2 by its law as well.
+    let piston = audit.elements.iter().find(|e| e.element == "piston").expect("there");
+    let velocity = |i: usize| series(&run, "piston.flow")[i];
+    let gained = 0.5 * M * (velocity(samples).powi(2) - velocity(0).powi(2));
+    let held = piston.held.expect("its law is linear");
+    assert!((held - gained).abs() < 1e-12 * audit.throughput, "{held} {gained}");
+    assert!(piston.error.is_some_and(|error| error < 1e-9), "{piston:?}");
+}
+
+/// Inertias and springs that follow a source are audited as well; one whose law is not linear is not.
+#[test]
+fn stores_that_follow_a_source_are_audited() {
+    let graph = Graph::read(
+        r#"
+name = "imposed"
+[elements]
+drive = { kind = "Sf", flow = "0.5 m/s * sin(20*t/(1 s))" }
+rod = { kind = "1", domain = "translation" }
+mass = { kind = "I", inertia = "2 kg" }
+rub = { kind = "R", resistance = "3 N s/m" }
+push = { kind = "Se", effort = "100 N * cos(20*t/(1 s))" }
+pot = { kind = "0", domain = "translation" }
+spring = { kind = "C", stiffness = "500 N/m" }
+damper = { kind = "R", resistance = "7 N s/m" }
+[bonds]
+list = ["drive > rod", "rod > mass", "rod > rub", "push > pot", "pot > spring", "pot > damper"]
+"#,
+    )
+    .expect("it is good");
+    let found = equations(&graph).expect("no conflict");
+    let mut request = found.request();
+    (request.audit, request.duration) = (true, 0.7);
+    let audit = found.simulate(&request).audit.expect("asked for");
+    let of = |name: &str| audit.elements.iter().find(|e| e.element == name).expect("there");
+    let (v, f) = (0.5 * 14.0f64.sin(), 100.0 * 14.0f64.cos());
+    for (name, want) in [("mass", v * v), ("spring", (f * f - 1e4) / 1e3)] {
+        let own = of(name);
+        assert!((own.held.expect("linear") - want).abs() < 1e-12, "{own:?} {want}");
+        assert!(own.error.is_some_and(|error| error < 1e-9), "{own:?}");
+    }
+    assert_eq!(of("rub").held, None);
 }
 
 #[test]
@@ -313,4 +357,27 @@ fn lever_with_two_inputs_is_a_transformer_by_its_matrix() {
     let audit = found.simulate(&request).audit.expect("asked for");
     let lever = audit.residuals.iter().find(|residual| residual.element == "lever").expect("there");
     assert!(lever.error < 1e-14, "{lever:?}");
+}
+
+/// A run that is stopped keeps the samples so far, and says to which tolerance they are.
+#[test]
+fn a_stopped_run_keeps_its_samples() {
+    static AT_ONCE: AtomicBool = AtomicBool::new(true);
+    static LATER: AtomicBool = AtomicBool::new(false);
+    let equations = graph!("slider-crank");
+    // 200 000 revolutions and more.
+    let long = SimulationRequest { duration: 1e5, samples: 100_000, ..equations.request() };
+    let early = equations.simulate(&SimulationRequest { cancel: Some(Cancel(&AT_ONCE)), ..long });
+    assert!(!early.complete && early.ended.contains("first pass"), "{}", early.ended);
+    assert!(early.tolerance == 1e-5 && !early.time.is_empty(), "{:e}", early.tolerance);
+    let stop = std::thread::spawn(|| {
+        // The first pass takes some milliseconds.
+        std::thread::sleep(std::time::Duration::from_millis(700));
+        LATER.store(true, Ordering::Relaxed);
+    });
+    let late = equations.simulate(&SimulationRequest { cancel: Some(Cancel(&LATER)), ..long });
+    stop.join().expect("it sleeps");
+    assert!(!late.complete && late.ended.starts_with("cancelled at"), "{}", late.ended);
+    assert_eq!(late.tolerance, long.tolerance);
+    assert!(late.time.len() > 10, "{} samples, {}", late.time.len(), late.ended);
 }

@@ -13,7 +13,8 @@ fn a_graph_file_shows_causality_equations_and_poles() {
     assert!(text.contains("piston follows crank through shaft, slider, guide"), "{text}");
     assert!(text.contains("State equations, M x' = f"), "{text}");
     let latex = output(&folder, 0, &["bondgraph", "equations", &graph("dc-motor"), "--notation", "latex"]);
-    assert!(latex.starts_with("\\begin{aligned}"), "{latex}");
+    assert!(latex.starts_with("\\documentclass") && latex.ends_with("\\end{document}\n"), "{latex}");
+    assert!(latex.contains("\\subsection*{Laws of the junctions}"), "{latex}");
     let dual = output(&folder, 0, &["bondgraph", "causality", &graph("two-tanks"), "--prefer", "derivative"]);
     assert!(dual.contains("is made to follow"), "{dual}");
     let poles =

@@ -41,6 +41,18 @@ pub(crate) fn mean_and_friction(
     ))
 }
 
+/// What a run says of the friction whose parts [`mean_and_friction`] gave.
+pub(crate) fn friction_note(parts: [f64; 3], speed: f64) -> String {
+    let at = friction_at(parts, speed);
+    match parts {
+        [_, 0.0, 0.0] => format!("Friction: {at:.4} N m at every speed, its mean effective pressure."),
+        [still, ..] => format!(
+            "Friction: {at:.4} N m at {:.0} rpm, its mean effective pressure there; it follows the speed, from {still:.4} N m at standstill.",
+            speed * 30.0 / PI
+        ),
+    }
+}
+
 /// Friction at `speed` [rad/s] from its parts of [`mean_and_friction`] [N m].
 pub(crate) fn friction_at([still, linear, square]: [f64; 3], speed: f64) -> f64 {
     still + speed * (linear + speed * square)

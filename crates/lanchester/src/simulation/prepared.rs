@@ -5,7 +5,7 @@ use crate::inertias::{rotating_bodies, rotor_inertia};
 use crate::pressure::cylinders::GasReport;
 use crate::pressure::measured::TraceFile;
 use crate::pressure::simulated::gas_over_speed;
-use crate::simulation::gas_torque::{chosen_load, mean_and_friction};
+use crate::simulation::gas_torque::{chosen_load, friction_note, mean_and_friction};
 use crate::simulation::plan::{RunPlan, SimulateRequest, plan};
 use lanchester_file::EngineFile;
 use lanchester_mechanism::LoadError;
@@ -72,15 +72,7 @@ pub(crate) fn prepare(
         mean = of_gas;
         [simulation.friction_torque, simulation.friction_growth[0], simulation.friction_growth[1]] = parts;
         if engine.friction.is_some() {
-            let at = simulation.friction(speed);
-            let rpm = speed * 30.0 / PI;
-            notes.push(match simulation.friction_growth == [0.0; 2] {
-                true => format!("Friction: {at:.4} N m at every speed, its mean effective pressure."),
-                false => format!(
-                    "Friction: {at:.4} N m at {rpm:.0} rpm, its mean effective pressure there; it follows the speed, from {:.4} N m at standstill.",
-                    simulation.friction_torque
-                ),
-            });
+            notes.push(friction_note(parts, speed));
         }
         simulation.governor = input.and_then(|input| input.governor);
     } else if input.is_some_and(|input| input.governor.is_some()) {

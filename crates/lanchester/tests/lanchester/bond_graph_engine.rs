@@ -111,6 +111,8 @@ struct Case {
     start_angle: f64,
     equilibrium: bool,
     piston_damping: f64,
+    /// Dry, in proportion to the speed, to its square.
+    friction: [f64; 3],
     gravity: f64,
 }
 
@@ -129,6 +131,7 @@ impl Case {
             start_angle: 0.0,
             equilibrium: false,
             piston_damping: 4.0,
+            friction: [0.0; 3],
             gravity: 9.80665,
         }
     }
@@ -146,6 +149,8 @@ impl Case {
             step: TAU / 12.0,
             tolerance: STEPS,
             piston_damping: self.piston_damping,
+            friction_torque: self.friction[0],
+            friction_growth: [self.friction[1], self.friction[2]],
             load: Load { law: LoadLaw::Constant(self.load), reacts_on: ReactsOn::Ground },
             ..Simulation::free(self.speed, 10.0)
         };
@@ -170,6 +175,8 @@ impl Case {
             shaft_inertia: of(&self.inertia.shafts),
             pressures: if self.fired { vec![pressure(); count] } else { Vec::new() },
             piston_damping: self.piston_damping,
+            friction_torque: self.friction[0],
+            friction_growth: [self.friction[1], self.friction[2]],
             load: EngineLoad { torque: LoadTorque::Constant(self.load), reacts_on_block: false },
             ..EngineRequest::free(self.speed, 10.0)
         };
@@ -399,6 +406,70 @@ fn xcheck_single_in_a_fixed_block() {
     case.fired = false;
     case.load = 0.0;
     case.check();
+}
+
+/// Friction that follows the speed, over a speed that changes by more than a third.
+#[test]
+fn xcheck_friction_that_follows_the_speed() {
+    let friction = [2.0, 0.03, 2e-4];
+    for block in [EngineBlock::Fixed, EngineBlock::Space] {
+        let engine = single(&(BLOCK.to_owned() + &mounts()));
+        let case = Case { friction, load: 0.0, fired: false, ..Case::new(engine, block) };
+        let run = case.multibody();
+        let speeds = &run.samples.speed;
+        let (first, last) = (speeds[0], speeds[speeds.len() - 1]);
+        assert!(last < first / 1.3, "{first} {last}");
+        case.check();
+        // What the friction grows by is felt.
+        let still = Case { friction: [2.0 + 0.03 * 150.0 + 2e-4 * 150.0 * 150.0, 0.0, 0.0], ..case };
+        let other = still.multibody().samples.speed;
+        assert!((other[other.len() - 1] - last).abs() > 1e-3 * first);
+    }
+}
+
+/// Chen and Flynn's friction of a file: dry, linear and square parts are those that `simulate` uses.
+#[test]
+fn xcheck_friction_of_a_file() {
+    let text = include_str!("../../../../examples/single-gas.toml").to_owned()
+        + "[friction]\nconstant = \"0.4 bar\"\npeak_pressure = 0.005\nspeed = \"0.09 bar s/m\"\nspeed_squared = \"90 Pa s2/m2\"\n\
+           [flywheel]\ninertia = \"0.15 kg m2\"\ncrankshaft_inertia = \"0.02 kg m2\"\n";
+    let file = read(&text).file.expect("it is good");
+    let speed = 90.0;
+    let asked = SimulateRequest {
+        speed: Some(speed),
+        on_mounts: Some(false),
+        load: Some(LoadLaw::Constant(20.0)),
+        ..SimulateRequest::default()
+    };
+    let theirs = simulate(&file, &[], &asked).expect("it runs").run.samples;
+    let request = BondGraphRequest {
+        speed: Some(speed),
+        block: Some(EngineBlock::Fixed),
+        load: Some(LoadTorque::Constant(20.0)),
+        ..BondGraphRequest::default()
+    };
+    let found = engine_bond_graph(&file.engine, &[], &request).expect("it has what it needs");
+    assert!(found.notes.iter().any(|note| note.contains("it follows the speed")), "{:?}", found.notes);
+    let found = equations(&Graph::new(&found.description).expect("units fit")).expect("no conflict");
+    let ours = found.simulate(&found.request());
+    assert!(ours.complete, "{}", ours.ended);
+    // The parts of theirs from three of its samples.
+    let last = theirs.speed.len() - 1;
+    let rows = [0, last / 2, last].map(|k| {
+        let w = theirs.speed[k];
+        ([1.0, w, w * w], -theirs.friction_torque[k])
+    });
+    let matrix = nalgebra::Matrix3::from_fn(|i, k| rows[i].0[k]);
+    let parts = matrix.lu().solve(&nalgebra::Vector3::from_fn(|i, _| rows[i].1)).expect("three speeds");
+    let values = |name: &str| ours.values(name).unwrap_or_else(|| panic!("{name}"));
+    let (speeds, efforts) = (values("crank.flow"), values("friction.effort"));
+    let least = speeds.iter().copied().fold(f64::INFINITY, f64::min);
+    let most = speeds.iter().copied().fold(0.0, f64::max);
+    assert!(most > 1.05 * least, "{least} {most}");
+    for (w, effort) in speeds.iter().zip(efforts) {
+        let theirs = parts[0] + w * (parts[1] + w * parts[2]);
+        assert!((effort - theirs).abs() < 1e-7 * theirs, "{w}: {effort} {theirs}");
+    }
 }
 
 /// Everything symmetric about the plane of the cylinder: the block moves in it alone.

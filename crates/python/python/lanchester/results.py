@@ -1531,7 +1531,7 @@ class BondGraph(Result):
 
     @property
     def latex(self) -> str:
-        """The equations as LaTeX."""
+        """The equations as a LaTeX document."""
         return self._get("latex")  # type: ignore[no-any-return]
 
     @property

@@ -190,7 +190,7 @@ struct BondGraph {
     causality: String,
     /// The equations as text.
     equations: String,
-    /// The equations as LaTeX.
+    /// The equations as a LaTeX document.
     latex: String,
     /// The graph as a model of Modelica.
     modelica: String,

@@ -2,6 +2,7 @@
 //! motion of the block, the tilt of the pistons, second-order forces and those of the balance shafts.
 
 use crate::kit::figure::{Figure, Panel};
+use crate::kit::rounding;
 use crate::kit::xy_plot::XyCurve;
 use crate::simulated::figure::{curve, figure, panel};
 use lanchester_bondgraph::Simulation;
@@ -241,6 +242,8 @@ impl OfEngine<'_> {
         }
         let sum: Vec<f64> =
             (0..self.theta.len()).map(|at| found.iter().map(|(_, values)| values[at]).sum::<f64>()).collect();
+        let noise = rounding::among(found.iter().flat_map(|(_, values)| values.iter().copied()));
+        let sum: Vec<f64> = sum.into_iter().map(|value| rounding::clean(value, noise)).collect();
         let mut panels = vec![self.cylinder_panel("second-order force of a piston", "N", &found)];
         let curves = vec![curve("", 0, self.end(&sum, 1.0))];
         panels.push(panel(["time", "of all, each along its cylinder"], ["s", "N"], None, curves));
@@ -287,36 +290,51 @@ impl OfEngine<'_> {
         Some(self.theta.iter().map(part).collect())
     }
 
+    /// Forces of the unbalances, each and together, on one scale: what cancels to rounding is drawn as 0.
     fn shafts(&self) -> Option<Figure> {
+        let axes = [(1, "x"), (2, "y")].map(|(port, axis)| (axis, self.unbalance_forces(port)));
+        let noise = rounding::among(
+            axes.iter().flat_map(|(_, forces)| forces).flat_map(|(_, values)| values).copied(),
+        );
         let mut panels = Vec::new();
-        for (port, axis) in [(1, "x"), (2, "y")] {
-            let forces: Vec<(usize, Vec<f64>)> =
-                (1..).map_while(|shaft| Some((shaft, self.shaft_force(shaft, port)?))).collect();
+        for (axis, forces) in axes {
             if forces.is_empty() {
                 return None;
             }
             let sum =
                 (0..self.theta.len()).map(|at| forces.iter().map(|(_, values)| values[at]).sum::<f64>());
-            let sum: Vec<f64> = sum.collect();
+            let sum: Vec<f64> = sum.map(|value| rounding::clean(value, noise)).collect();
             let mut curves = Vec::new();
             if forces.len() > 1 {
                 curves.push(curve("together", 0, self.end(&sum, 1.0)));
             }
-            let own =
-                forces.iter().map(|(k, values)| curve(&format!("shaft {k}"), *k, self.end(values, 1.0)));
-            curves.extend(own);
+            for (index, (name, values)) in forces.iter().enumerate() {
+                curves.push(curve(name, index + 1, self.end(values, 1.0)));
+            }
             panels.push(panel(["time", &format!("force along {axis}")], ["s", "N"], None, curves));
         }
-        let caption = "Forces of the unbalances of the balance shafts on the block.";
+        let caption = "Forces of the unbalances of the balance shafts on the block; below a billionth of the largest they count as 0.";
         Some(figure("bond-graph-shafts", "Forces of the balance shafts", caption, panels))
     }
 
-    /// Force of the unbalances of a shaft on the block along an axis [N].
-    fn shaft_force(&self, shaft: usize, port: usize) -> Option<Vec<f64>> {
-        let parts: Vec<&[f64]> = (1..)
-            .map_while(|part| self.values(&format!("shaft{shaft}_unbalance{part}.{port}.effort")))
-            .collect();
-        let count = parts.first()?.len();
-        Some((0..count).map(|at| -parts.iter().map(|values| values[at]).sum::<f64>()).collect())
+    /// Force of each unbalance of each shaft on the block along an axis [N].
+    fn unbalance_forces(&self, port: usize) -> Vec<(String, Vec<f64>)> {
+        let force = |shaft: usize, part: usize| -> Option<Vec<f64>> {
+            let efforts = self.values(&format!("shaft{shaft}_unbalance{part}.{port}.effort"))?;
+            Some(efforts.iter().map(|effort| -effort).collect())
+        };
+        let mut found = Vec::new();
+        for shaft in 1.. {
+            let parts: Vec<Vec<f64>> = (1..).map_while(|part| force(shaft, part)).collect();
+            if parts.is_empty() {
+                break;
+            }
+            let is_one = parts.len() == 1;
+            found.extend(parts.into_iter().enumerate().map(|(part, values)| match is_one {
+                true => (format!("shaft {shaft}"), values),
+                false => (format!("shaft {shaft}, unbalance {}", part + 1), values),
+            }));
+        }
+        found
     }
 }

@@ -84,6 +84,9 @@ fn panel(placed: &Placed, kept: &Kept<'_>) -> Panel {
         let (x, y) = place(element.at);
         svg.name("strong halo", (x, y + 5.0), Anchor::Middle, &element.kind);
         svg.name("muted small halo", (x, y + 21.0), Anchor::Middle, &element.name);
+        if let Some(value) = &element.value {
+            svg.text("muted small halo", (x, y + 33.0), Anchor::Middle, value);
+        }
     }
     let description = format!("{}: {}.", tile.title, kept.elements.join(", "));
     Panel::new(svg, description)

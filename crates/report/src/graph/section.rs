@@ -7,7 +7,9 @@ use crate::kit::number;
 use crate::kit::section::Section;
 use crate::kit::table::{Cell, Column, Table};
 use crate::simulated::figure::{curve, figure, panel};
-use lanchester_bondgraph::{Audit, Causality, Equation, Kind, Placed, ShownEquations, Simulation, mathml};
+use lanchester_bondgraph::{
+    Audit, Causality, Equation, Kind, Placed, ShownEquations, ShownUnknown, Simulation, mathml,
+};
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};
@@ -153,11 +155,27 @@ fn equation_tables(result: &BondGraphResult) -> Vec<Table> {
             "Common parts of the state equations",
             pairs(&shown.common, &formulas.common, &all),
         ),
+        (
+            "bond-graph-unknowns",
+            "Rates of stores that follow, and what cuts loops",
+            pairs(&unknowns(shown, shown), &unknowns(formulas, shown), &all),
+        ),
         ("bond-graph-equations", "State equations", pairs(&shown.rates, &formulas.rates, &all)),
     ]
     .into_iter()
     .filter_map(|(id, title, equations)| equation_table(id, title, equations))
     .collect()
+}
+
+/// The unknowns of `from`; where the text is too long to be written out, the derivative as it stands.
+fn unknowns(from: &ShownEquations, text: &ShownEquations) -> Vec<Equation> {
+    let equation = |(unknown, text): (&ShownUnknown, &ShownUnknown)| {
+        let first = unknown.value.split(" = ").next().unwrap_or_default();
+        let right = if text.value.len() > LONGEST { first } else { &unknown.value };
+        let (left, unit) = (unknown.symbol.clone(), unknown.unit.clone());
+        Equation { of: text.symbol.clone(), left, right: right.to_owned(), unit }
+    };
+    from.unknowns.iter().zip(&text.unknowns).map(equation).collect()
 }
 
 fn equation_table(id: &'static str, title: &str, equations: Pairs) -> Option<Table> {

@@ -4678,6 +4678,8 @@ export type TorsionLimit = {
   allowed: number;
   /** Largest amplitude over speed [rad] or [Pa]. */
   found: number;
+  /** Whether what is found can be trusted: not where pendulums swing beyond the linear theory. */
+  is_known: boolean;
   /** What is limited. */
   quantity: LimitedQuantity;
   /** Speed of crankshaft 1 at which it is found [rad/s]. */
