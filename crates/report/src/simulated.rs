@@ -4,6 +4,7 @@ mod columns;
 pub(crate) mod crosscheck;
 pub(crate) mod energy;
 pub(crate) mod figure;
+pub(crate) mod heat;
 mod moving;
 pub(crate) mod orders;
 pub(crate) mod result;
@@ -12,7 +13,7 @@ pub(crate) mod section;
 pub(crate) mod series;
 
 pub use crosscheck::*;
-pub use energy::PeriodHeat;
+pub use heat::PeriodHeat;
 pub use orders::SimulatedOrder;
 pub use result::*;
 pub use run::*;

@@ -106,7 +106,7 @@ fn bad_input_names_bearing_and_remedy() {
 /// The grooves of the file, with what feeds them: the upper half of the mains' shells has one, which takes oil and pressure where the load does not press.
 #[test]
 fn grooves_and_the_oil_that_is_kept() {
-    let engine = engine(&FOUR.replace("[bearings.film]", "[bearings.film]\nsupply_pressure = \"4 bar\""));
+    let engine = engine(FOUR);
     let request = BearingRequest { speed: Some(314.0), samples: 90, ..BearingRequest::default() };
     let loads = bearing_report(&engine, &[], &request).expect("loads");
     let models = [Cavitation::Reynolds, Cavitation::MassConserving];

@@ -3,7 +3,7 @@
 //! SI and radians, axes of the frame. A `[f64; 6]` or `[Complex64; 6]` holds x, y, z, about x, about y, about z, at the
 //! block's centre. A complex amplitude `Q` of order n stands for `Re( Q e^{i n theta} )`.
 
-use crate::mounts::rotors::RotorEffects;
+use crate::mounts::rotor_effects::RotorEffects;
 use lanchester_results::Extreme;
 use num_complex::Complex64;
 use serde::Serialize;

@@ -8,36 +8,10 @@
 //! In roll, a drive that keeps the speed relative to the block constant turns every rotor on as the block rolls. It takes the torque for it from the ground,
 //! `SUM rho J phi_z''` by virtual work at crankshaft 1, and the block is spared as much: `(I_zz - J_rel) phi_z'' = M_z`.
 
+use crate::mounts::rotor_effects::RotorEffects;
 use crate::mounts::spring::Complex6x6;
 use crate::mounts::system::MountSystem;
 use num_complex::Complex64;
-use serde::Serialize;
-
-/// What of the rotors acts on the motion of the block.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
-pub struct RotorEffects {
-    /// Their gyroscopic couple.
-    pub couple: bool,
-    /// Their polar inertia does not follow the roll.
-    pub roll: bool,
-}
-
-impl RotorEffects {
-    /// Both.
-    pub const BOTH: RotorEffects = RotorEffects { couple: true, roll: true };
-    /// None: the rotors are held fast in the block.
-    pub const NONE: RotorEffects = RotorEffects { couple: false, roll: false };
-    /// The gyroscopic couple alone.
-    pub const COUPLE: RotorEffects = RotorEffects { couple: true, roll: false };
-    /// That their inertia does not follow the roll alone.
-    pub const ROLL: RotorEffects = RotorEffects { couple: false, roll: true };
-}
-
-impl Default for RotorEffects {
-    fn default() -> Self {
-        RotorEffects::BOTH
-    }
-}
 
 impl MountSystem {
     /// The same with this angular momentum of the rotors over the speed [kg m^2] in place of that of the file; 0 leaves it out.

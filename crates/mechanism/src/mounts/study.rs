@@ -3,7 +3,7 @@
 use crate::mounts::error::MountError;
 use crate::mounts::excitation::Excitation;
 use crate::mounts::result::{MOUNT_RESULT_VERSION, MountStudy, PointMotion, Transmissibility};
-use crate::mounts::rotors::RotorEffects;
+use crate::mounts::rotor_effects::RotorEffects;
 use crate::mounts::system::MountSystem;
 use lanchester_model::Engine;
 

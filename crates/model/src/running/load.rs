@@ -1,7 +1,16 @@
 //! What takes the power of an engine: `[load]`.
 
-use super::simulation::ReactsOn;
 use serde::Serialize;
+
+/// Where the reaction to a torque goes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum ReactsOn {
+    /// The ground: the block does not feel it.
+    Ground,
+    /// The block, as of a machine that is bolted to it.
+    Block,
+}
 
 /// What takes the power, at the end of the driveline.
 #[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]

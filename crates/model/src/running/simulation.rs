@@ -1,6 +1,6 @@
 //! What the file says of a run in time: start, drive, load, starter, governor, driveline, events. Plain data; `None` and empty where it says nothing.
 
-use super::load::{LoadLaw, RunLoad};
+use super::load::{LoadLaw, ReactsOn, RunLoad};
 use serde::Serialize;
 
 /// What the file says of a run: `[simulation]`, `[load]`, `[starter]`, `[governor]`, `[[driveline]]` and `piston_damping` of `[friction]`.
@@ -229,16 +229,6 @@ pub struct TorqueOrder {
     pub sin: f64,
     /// Factor of the cosine [N m].
     pub cos: f64,
-}
-
-/// Where the reaction to a torque goes.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum ReactsOn {
-    /// The ground: the block does not feel it.
-    Ground,
-    /// The block, as of a machine that is bolted to it.
-    Block,
 }
 
 /// A starter: `torque = stall (1 - ratio w / free_speed)` times its ratio on crankshaft 1, until a speed is reached.

@@ -1,6 +1,6 @@
 //! A simulated run with what its reader must know.
 
-use crate::simulated::energy::PeriodHeat;
+use crate::simulated::heat::PeriodHeat;
 use lanchester_multibody::{Followed, MainRule, Occasion, PeriodicOutcome, Run, thinned};
 use serde::Serialize;
 use std::borrow::Cow;
