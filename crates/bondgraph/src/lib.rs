@@ -54,7 +54,7 @@ pub use graph::{Asked, Graph, Kind, Period};
 pub use linear::{Linear, NotLinear, Pole, Transfer};
 pub use mistake::diagnostic_codes;
 pub use output::draw::{
-    DrawnBond, DrawnElement, DrawnName, DrawnTile, Placed, drawing, moving_drawing, placed,
+    DrawnBond, DrawnElement, DrawnLabel, DrawnName, DrawnTile, Placed, drawing, moving_drawing, placed,
 };
 pub use output::export::{graphml, modelica};
 pub use output::latex::equations_latex;

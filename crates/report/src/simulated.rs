@@ -13,6 +13,7 @@ pub(crate) mod section;
 pub(crate) mod series;
 
 pub use crosscheck::*;
+pub use energy::{period_flows, run_flows};
 pub use heat::PeriodHeat;
 pub use orders::SimulatedOrder;
 pub use result::*;

@@ -5,8 +5,8 @@ use crate::asker::Asker;
 use crate::problem::Problem;
 use crate::questions::reading::{engine_file, in_utf16};
 use lanchester::bondgraph::{
-    CompliantJoints, EngineBlock, EngineJoints, Graph, Notation, PartLine, Placed, ShownEquations,
-    Simulation, SimulationRequest, causality_text, equations, graph_file, mathml, placed,
+    CompliantJoints, DrawnLabel, EngineBlock, EngineJoints, Graph, Notation, PartLine, Placed,
+    ShownEquations, Simulation, SimulationRequest, causality_text, equations, graph_file, mathml, placed,
 };
 use lanchester::file::Diagnostic;
 use lanchester::{BondGraphRequest, engine_bond_graph};
@@ -130,9 +130,34 @@ struct GraphEnd {
 struct GraphElement {
     name: String,
     kind: String,
+    /// Its middle [px].
     at: [f64; 2],
+    /// Middle and base line of the letters of its kind [px].
+    kind_at: [f64; 2],
+    /// Its name, and its value where a number or a short expression says its law.
+    labels: Vec<GraphLabel>,
     /// Whether it is a store that follows others.
     follows: bool,
+}
+
+/// Words beside an element.
+#[derive(Debug, Serialize, JsonSchema)]
+struct GraphLabel {
+    /// Their base line, at the side that `anchor` names [px].
+    at: [f64; 2],
+    anchor: LabelAnchor,
+    text: String,
+    /// Whether they are the value; else the name.
+    is_value: bool,
+}
+
+/// Which side of words stands at their place.
+#[derive(Debug, Serialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+enum LabelAnchor {
+    Start,
+    Middle,
+    End,
 }
 
 /// A bond in its place, with what it carries.
@@ -260,7 +285,14 @@ fn answer(text: &str, parts: &BTreeMap<String, String>) -> Result<GraphAnswer, P
             .map(|own| GraphTile { title: own.title, corner: own.corner, size: own.size })
             .collect(),
         elements: (elements.into_iter())
-            .map(|own| GraphElement { name: own.name, kind: own.kind, at: own.at, follows: own.follows })
+            .map(|own| GraphElement {
+                name: own.name,
+                kind: own.kind,
+                at: own.at,
+                kind_at: own.kind_at,
+                labels: own.labels.into_iter().map(label).collect(),
+                follows: own.follows,
+            })
             .collect(),
         bonds: (bonds.into_iter())
             .map(|own| {
@@ -296,6 +328,15 @@ fn answer(text: &str, parts: &BTreeMap<String, String>) -> Result<GraphAnswer, P
         ended: run.ended,
         complete: run.complete,
     })
+}
+
+fn label(own: DrawnLabel) -> GraphLabel {
+    let anchor = match own.anchor {
+        "start" => LabelAnchor::Start,
+        "end" => LabelAnchor::End,
+        _ => LabelAnchor::Middle,
+    };
+    GraphLabel { at: own.at, anchor, text: own.text, is_value: own.is_value }
 }
 
 /// Unit and values of a bond's series.

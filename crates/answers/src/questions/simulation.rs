@@ -8,7 +8,7 @@ use crate::state::superseded;
 use lanchester::file::event_from_words;
 use lanchester::model::NamedPoint;
 use lanchester::multibody::{LoadLaw, MainRule, RunOutcome};
-use lanchester::report::{SimulationResult, simulation_words};
+use lanchester::report::{SimulationResult, period_flows, run_flows, simulation_words};
 use lanchester::task::option;
 use lanchester::{RunLength, SimulateRequest, simulate_watched};
 use schemars::JsonSchema;
@@ -116,6 +116,8 @@ struct SimulationAnswer {
     gear_forces: Vec<NamedCurve>,
     /// What put energy in, positive, and what took or stores it, negative [J].
     energy: Vec<EnergyPart>,
+    /// The same over the last period, from the fuel on where a cycle computes the pressures; empty without a whole one.
+    period_energy: Vec<EnergyPart>,
     /// Largest error of the energy over its throughput.
     energy_error: f64,
     /// What happened on the way.
@@ -302,22 +304,10 @@ fn answer(result: &SimulationResult) -> SimulationAnswer {
         name: point.name.clone(),
         displacement: kept.iter().filter_map(|index| point.displacement.get(*index).copied()).collect(),
     });
-    let e = &run.energy;
-    let energy = [
-        ("gas", e.gas),
-        ("load", e.load),
-        ("starter", e.starter),
-        ("friction", e.friction),
-        ("friction of the pistons", e.piston_friction),
-        ("drive and others", e.outside),
-        ("dampers of the mounts", e.mount_damping),
-        ("dampers of the driveline", e.driveline_damping),
-        ("kinetic energy", e.kinetic[0] - e.kinetic[1]),
-        ("springs of the mounts", e.mounts[0] - e.mounts[1]),
-        ("gravity", e.gravity[0] - e.gravity[1]),
-        ("springs of the driveline", e.driveline[0] - e.driveline[1]),
-    ];
-    let energy = energy.into_iter().filter(|(_, energy)| *energy != 0.0);
+    let parts = |flows: Vec<(&'static str, f64)>| -> Vec<EnergyPart> {
+        let acting = flows.into_iter().filter(|(_, energy)| *energy != 0.0);
+        acting.map(|(name, energy)| EnergyPart { name: name.to_owned(), energy }).collect()
+    };
     let first = result.last_period().start;
     SimulationAnswer {
         words: simulation_words(result),
@@ -342,7 +332,8 @@ fn answer(result: &SimulationResult) -> SimulationAnswer {
         gear_torques: gear_torques.collect(),
         // Without a pressure angle there is none.
         gear_forces: gear_forces.filter(|curve| curve.values.iter().any(|force| *force != 0.0)).collect(),
-        energy: energy.map(|(name, energy)| EnergyPart { name: name.to_owned(), energy }).collect(),
+        energy: parts(run_flows(result)),
+        period_energy: parts(period_flows(result).unwrap_or_default()),
         energy_error: run.audit.energy,
         events: run
             .events

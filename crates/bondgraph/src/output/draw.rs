@@ -63,10 +63,25 @@ pub struct DrawnElement {
     pub kind: String,
     /// Its middle.
     pub at: [f64; 2],
-    /// Its value: a number with its unit, or a short expression.
-    pub value: Option<String>,
+    /// Middle and base line of the letters of its kind.
+    pub kind_at: [f64; 2],
+    /// Its name, and its value where a number or a short expression says its law.
+    pub labels: Vec<DrawnLabel>,
     /// Whether it is a store that follows others.
     pub follows: bool,
+}
+
+/// Words beside an element.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct DrawnLabel {
+    /// Their base line, at the side that `anchor` names.
+    pub at: [f64; 2],
+    /// `start`, `middle` or `end`.
+    pub anchor: &'static str,
+    /// The words.
+    pub text: String,
+    /// Whether they are the value; else the name.
+    pub is_value: bool,
 }
 
 /// A bond in its place.
@@ -91,19 +106,22 @@ pub struct DrawnBond {
 /// Places of a graph with its causality.
 pub fn placed(graph: &Graph, causality: &Causality) -> Placed {
     let layout = layout(graph, causality);
-    let places = &layout.tiled.places;
-    let most = |k: usize| places.iter().map(|place| place[k]).fold(0.0, f64::max) + MARGIN;
+    let Layout { labels, tiled, beside } = &layout;
+    let drawn = |(index, label): (usize, &Label)| {
+        let element = &graph.elements[index];
+        let (kind_at, labels) = lettering(graph, tiled, index, label, beside.get(&index).copied());
+        DrawnElement {
+            name: element.name.clone(),
+            kind: element.written.clone(),
+            at: tiled.places[index],
+            kind_at,
+            labels,
+            follows: follows(graph, causality, index),
+        }
+    };
     Placed {
-        size: [most(0), most(1)],
-        elements: (graph.elements.iter().enumerate())
-            .map(|(index, element)| DrawnElement {
-                name: element.name.clone(),
-                kind: element.written.clone(),
-                at: places[index],
-                value: element.value.clone(),
-                follows: follows(graph, causality, index),
-            })
-            .collect(),
+        size: layout.extent(),
+        elements: labels.iter().enumerate().map(drawn).collect(),
         bonds: (0..graph.bonds.len()).map(|bond| drawn_bond(graph, causality, &layout.tiled, bond)).collect(),
         tiles: (layout.tiled.tiles.iter())
             .map(|tile| DrawnTile { title: tile.title.clone(), corner: tile.corner, size: tile.size })
@@ -156,6 +174,25 @@ struct Layout {
     beside: BTreeMap<usize, f64>,
 }
 
+impl Layout {
+    /// How far everything reaches, with a margin.
+    fn extent(&self) -> [f64; 2] {
+        let Layout { labels, tiled, beside } = self;
+        let end = |(element, [x, y]): (usize, &[f64; 2])| {
+            let wide = match beside.get(&element) {
+                Some(side) if *side > 0.0 => labels[element].left + labels[element].right + 16.0,
+                _ => labels[element].right,
+            };
+            [x + wide + 20.0, y + MARGIN]
+        };
+        let ends: Vec<[f64; 2]> = tiled.places.iter().enumerate().map(end).collect();
+        let corners = (tiled.tiles.iter())
+            .map(|tile| [tile.corner[0] + tile.size[0] + 20.0, tile.corner[1] + tile.size[1]]);
+        let ends: Vec<[f64; 2]> = if tiled.tiles.is_empty() { ends } else { corners.collect() };
+        [0, 1].map(|k| ends.iter().map(|end| end[k]).fold(0.0, f64::max))
+    }
+}
+
 fn layout(graph: &Graph, causality: &Causality) -> Layout {
     let labels = labels(graph, causality);
     if let Some(tiled) = tiled(graph, &labels) {
@@ -167,20 +204,10 @@ fn layout(graph: &Graph, causality: &Causality) -> Layout {
 
 /// The drawing of a graph with its causality.
 pub fn drawing(graph: &Graph, causality: &Causality) -> String {
-    let Layout { labels, tiled, beside } = layout(graph, causality);
+    let layout = layout(graph, causality);
+    let [width, bottom] = layout.extent();
+    let Layout { labels, tiled, beside } = layout;
     let places = &tiled.places;
-    let end = |(element, [x, y]): (usize, &[f64; 2])| {
-        let wide = match beside.get(&element) {
-            Some(side) if *side > 0.0 => labels[element].left + labels[element].right + 16.0,
-            _ => labels[element].right,
-        };
-        [x + wide + 20.0, y + MARGIN]
-    };
-    let ends: Vec<[f64; 2]> = places.iter().enumerate().map(end).collect();
-    let corners =
-        tiled.tiles.iter().map(|tile| [tile.corner[0] + tile.size[0] + 20.0, tile.corner[1] + tile.size[1]]);
-    let ends: Vec<[f64; 2]> = if tiled.tiles.is_empty() { ends } else { corners.collect() };
-    let [width, bottom] = [0, 1].map(|k| ends.iter().map(|end| end[k]).fold(0.0, f64::max));
     let width = width.max(460.0);
     let legend = bottom + 10.0;
     let mut svg = format!(
@@ -215,7 +242,8 @@ pub fn drawing(graph: &Graph, causality: &Causality) -> String {
     }
     for (index, label) in labels.iter().enumerate() {
         let colour = if follows(graph, causality, index) { FOLLOWS } else { INK };
-        symbol(graph, &tiled, index, label, beside.get(&index).copied(), colour, &mut svg);
+        let lettering = lettering(graph, &tiled, index, label, beside.get(&index).copied());
+        symbol(&graph.elements[index].written, &lettering, colour, &mut svg);
     }
     legend_lines(legend, &mut svg);
     svg + "</svg>\n"
@@ -254,16 +282,14 @@ fn legend_lines(legend: f64, svg: &mut String) {
     }
 }
 
-/// The letters of an element with its name and value.
-fn symbol(
+/// Where the letters of an element stand, and its name and value.
+fn lettering(
     graph: &Graph,
     tiled: &Tiled,
     index: usize,
     label: &Label,
     beside: Option<f64>,
-    colour: &str,
-    svg: &mut String,
-) {
+) -> ([f64; 2], Vec<DrawnLabel>) {
     let element = &graph.elements[index];
     let places = &tiled.places;
     let [x, y] = places[index];
@@ -291,23 +317,31 @@ fn symbol(
         None if limb_is_up(graph, places, index) => (y + 2.0, x, y - 18.0, "middle"),
         None => (y + 8.0, x, y + 25.0, "middle"),
     };
-    let _ = writeln!(
-        svg,
-        "<text x=\"{x:.1}\" y=\"{kind_y:.1}\" font-size=\"18\" font-weight=\"600\" text-anchor=\"middle\" fill=\"{colour}\">{}</text>",
-        escaped(&element.written)
-    );
     // The value stands below the name of a one-port, which stands higher for it, and behind that of a two-port.
     let lift = if !is_core && label.value.is_some() && name_y < y - 10.0 { 12.0 } else { 0.0 };
     let (along, down) = if is_core { (label.name_width() + 5.0, 0.0) } else { (0.0, 12.0) };
-    let lines = [
-        ([name_x, name_y - lift], Some(&label.name), colour),
-        ([name_x + along, name_y - lift + down], label.value.as_ref(), VALUE),
-    ];
-    for ([line_x, line_y], text, colour) in lines {
-        let Some(text) = text else { continue };
+    let name = DrawnLabel { at: [name_x, name_y - lift], anchor, text: label.name.clone(), is_value: false };
+    let value = label.value.as_ref().map(|value| DrawnLabel {
+        at: [name_x + along, name_y - lift + down],
+        anchor,
+        text: value.clone(),
+        is_value: true,
+    });
+    ([x, kind_y], std::iter::once(name).chain(value).collect())
+}
+
+/// The letters of an element with its name and value.
+fn symbol(written: &str, ([x, y], labels): &([f64; 2], Vec<DrawnLabel>), colour: &str, svg: &mut String) {
+    let _ = writeln!(
+        svg,
+        "<text x=\"{x:.1}\" y=\"{y:.1}\" font-size=\"18\" font-weight=\"600\" text-anchor=\"middle\" fill=\"{colour}\">{}</text>",
+        escaped(written)
+    );
+    for DrawnLabel { at: [x, y], anchor, text, is_value } in labels {
+        let colour = if *is_value { VALUE } else { colour };
         let _ = writeln!(
             svg,
-            "<text x=\"{line_x:.1}\" y=\"{line_y:.1}\" font-size=\"11\" text-anchor=\"{anchor}\" fill=\"{colour}\" \
+            "<text x=\"{x:.1}\" y=\"{y:.1}\" font-size=\"11\" text-anchor=\"{anchor}\" fill=\"{colour}\" \
              stroke=\"#ffffff\" stroke-width=\"3\" paint-order=\"stroke\">{}</text>",
             escaped(text)
         );

@@ -39,7 +39,8 @@ fn the_chapter_shows_drawing_causality_equations_energy_and_curves() {
     }
     let crossed = crossed(&found.drawing);
     assert!(crossed.is_empty(), "{crossed:?}");
-    assert!(found.drawing.elements.iter().any(|own| own.value.as_deref() == Some("1.5 kg")));
+    let mut words = found.drawing.elements.iter().flat_map(|own| &own.labels);
+    assert!(words.any(|own| own.is_value && own.text == "1.5 kg"));
     assert!(html.contains("causal stroke") && html.len() < 2_000_000, "{} bytes", html.len());
     assert!(serde_json::to_string(&found).is_ok());
     let ids: Vec<String> = bond_graph_figures(&found.run).into_iter().map(|figure| figure.id).collect();

@@ -81,11 +81,17 @@ fn panel(placed: &Placed, kept: &Kept<'_>) -> Panel {
         }
     }
     for element in placed.elements.iter().filter(|element| within(tile, element.at)) {
-        let (x, y) = place(element.at);
-        svg.name("strong halo", (x, y + 5.0), Anchor::Middle, &element.kind);
-        svg.name("muted small halo", (x, y + 21.0), Anchor::Middle, &element.name);
-        if let Some(value) = &element.value {
-            svg.text("muted small halo", (x, y + 33.0), Anchor::Middle, value);
+        svg.name("strong halo", place(element.kind_at), Anchor::Middle, &element.kind);
+        for label in &element.labels {
+            let anchor = match label.anchor {
+                "start" => Anchor::Start,
+                "end" => Anchor::End,
+                _ => Anchor::Middle,
+            };
+            match label.is_value {
+                true => svg.text("muted small halo", place(label.at), anchor, &label.text),
+                false => svg.name("muted small halo", place(label.at), anchor, &label.text),
+            }
         }
     }
     let description = format!("{}: {}.", tile.title, kept.elements.join(", "));

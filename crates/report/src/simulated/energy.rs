@@ -49,9 +49,25 @@ fn parts(e: &EnergyLedger) -> [Part; 12] {
     ]
 }
 
-/// What each part puts in, by its name in pictures [J].
 fn flows(e: &EnergyLedger) -> Vec<(&'static str, f64)> {
     parts(e).iter().map(|part| (part.names[0], part.given())).collect()
+}
+
+/// What put energy into a run, positive, and what took or stores it, negative, by name [J].
+pub fn run_flows(result: &SimulationResult) -> Vec<(&'static str, f64)> {
+    flows(&result.run.energy)
+}
+
+/// The same of the last period, from the fuel on where its heat is known: walls and exhaust then stand beside what the gas drives, in place of the gas
+/// itself. `None` without a whole last period.
+pub fn period_flows(result: &SimulationResult) -> Option<Vec<(&'static str, f64)>> {
+    let mut works = flows(result.run.last_period.as_ref()?);
+    if let Some(heat) = &result.heat {
+        works.retain(|(name, _)| *name != "gas");
+        works.insert(0, ("fuel", heat.fuel));
+        works.extend(heat.losses().map(|(name, energy)| (name, -energy)));
+    }
+    Some(works)
 }
 
 fn side(flows: &[(&str, f64)], sign: f64) -> Vec<(String, f64)> {
@@ -62,28 +78,25 @@ fn side(flows: &[(&str, f64)], sign: f64) -> Vec<(String, f64)> {
 /// Pictures of the run and of its last period.
 pub(crate) fn energy_figures(result: &SimulationResult) -> Vec<Figure> {
     let mut figures = Vec::new();
-    let works = flows(&result.run.energy);
+    let works = run_flows(result);
     let closes = format!("They close to {:.1e} of the throughput.", result.run.audit.energy);
     if let Some(panel) = energy_flow(&side(&works, 1.0), &side(&works, -1.0), &[]) {
         let caption = format!("Works and stored energies over the run, widths in proportion. {closes}");
         figures.push(figure("simulated-energy", "Where the energy goes", &caption, vec![panel]));
     }
-    let Some(period) = &result.run.last_period else { return figures };
-    let mut works = flows(period);
+    let (Some(period), Some(works)) = (&result.run.last_period, period_flows(result)) else {
+        return figures;
+    };
     let mut within = Vec::new();
-    let mut caption = String::from("Works and stored energies of the last period, widths in proportion.");
-    if let Some(heat) = &result.heat {
-        // In place of the gas: what it comes from, and what of that does not reach the pistons.
-        works.retain(|(name, _)| *name != "gas");
-        works.insert(0, ("fuel", heat.fuel));
-        works.extend(heat.losses().map(|(name, energy)| (name, -energy)));
-        caption = format!(
+    let caption = match &result.heat {
+        Some(heat) => format!(
             "Energy of the fuel in the last period and where it goes, widths in proportion; the gas does {} J of work on the pistons. Heat is that of cycles at the mean speed, \
              whose work is {} J: by this difference both sides differ.",
             number::short(period.gas, 5),
             number::short(heat.indicated, 5),
-        );
-    }
+        ),
+        None => "Works and stored energies of the last period, widths in proportion.".to_owned(),
+    };
     let (given, taken) = (side(&works, 1.0), side(&works, -1.0));
     if let Some(heat) = &result.heat {
         let lost: f64 = heat.losses().iter().map(|(_, energy)| energy).sum();

@@ -2389,10 +2389,15 @@ export type GraphBond = {
 
 /** An element in its place. */
 export type GraphElement = {
+  /** Its middle [px]. */
   at: [number, number];
   /** Whether it is a store that follows others. */
   follows: boolean;
   kind: string;
+  /** Middle and base line of the letters of its kind [px]. */
+  kind_at: [number, number];
+  /** Its name, and its value where a number or a short expression says its law. */
+  labels: GraphLabel[];
   name: string;
 };
 
@@ -2406,6 +2411,16 @@ export type GraphEnd = {
 /** A graph file. */
 export type GraphExample = {
   name: string;
+  text: string;
+};
+
+/** Words beside an element. */
+export type GraphLabel = {
+  anchor: LabelAnchor;
+  /** Their base line, at the side that `anchor` names [px]. */
+  at: [number, number];
+  /** Whether they are the value; else the name. */
+  is_value: boolean;
   text: string;
 };
 
@@ -2591,6 +2606,9 @@ export type KeyTable = {
   /** Where it stands: `crank`, `gas.cycle`, `cylinder[]` for the entries of a list; empty for the file itself. */
   path: string;
 };
+
+/** Which side of words stands at their place. */
+export type LabelAnchor = "start" | "middle" | "end";
 
 /** The largest value of an objective. */
 export type LayoutLimit = {
@@ -4156,6 +4174,8 @@ export type SimulationAnswer = {
   mounts: NamedCurve[];
   /** Turn of the block: unit quaternion w, x, y, z; empty with a fixed block. */
   orientation: Array<[number, number, number, number]>;
+  /** The same over the last period, from the fuel on where a cycle computes the pressures; empty without a whole one. */
+  period_energy: EnergyPart[];
   /** First sample of the last period. */
   period_start: number;
   /** Paths of the points that were asked for; empty with a fixed block. */

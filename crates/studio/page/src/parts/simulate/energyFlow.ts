@@ -22,8 +22,10 @@ const GAP = 16;
 const THIN = 1e-3;
 
 /** Bands on the left (where it comes from) and on the right (where it goes), about the middle of the picture; `null` where nothing flows. */
-export function bands(run: SimulationAnswer): { left: Band[]; right: Band[]; height: number } | null {
-  const { from, to } = ledger(run);
+export function bands(
+  parts: SimulationAnswer["energy"],
+): { left: Band[]; right: Band[]; height: number } | null {
+  const { from, to } = ledger(parts);
   const sum = (side: typeof from) => side.reduce((all, part) => all + part.energy, 0);
   const whole = Math.max(sum(from), sum(to));
   if (!(whole > 0 && Number.isFinite(whole))) return null;

@@ -82,12 +82,12 @@ export function fluctuation([most, least, mean]: SimulationAnswer["speeds"]): nu
 }
 
 /** Works and stored energies as two sides of a ledger, largest first: where it comes from and where it goes. */
-export function ledger(run: SimulationAnswer): {
+export function ledger(parts: SimulationAnswer["energy"]): {
   from: SimulationAnswer["energy"];
   to: SimulationAnswer["energy"];
 } {
   const side = (sign: number) =>
-    run.energy
+    parts
       .filter((part) => sign * part.energy > 0)
       .map((part) => ({ ...part, energy: Math.abs(part.energy) }))
       .sort((a, b) => b.energy - a.energy);
