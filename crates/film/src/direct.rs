@@ -83,6 +83,10 @@ impl<'a> DirectOrbit<'a> {
     /// [`FilmError`] as [`crate::journal_orbit`], and for grooves and holes as [`FilmProblem::check`].
     pub fn new(request: &DirectRequest<'a>) -> Result<DirectOrbit<'a>, FilmError> {
         check_cycle(&request.bearing, request.cycle, request.roughness)?;
+        let (needed, got) = (request.cycle.load.len(), request.shell.len());
+        if got != 0 && got != needed {
+            return Err(FilmError::Samples { needed, got });
+        }
         let mut problem = FilmProblem {
             bearing: request.bearing,
             viscosity: 0.01,

@@ -119,8 +119,11 @@ pub fn placed(graph: &Graph, causality: &Causality) -> Placed {
             follows: follows(graph, causality, index),
         }
     };
+    let [width, height] = layout.extent();
+    // As much room on the right as on the left.
+    let farthest = tiled.places.iter().map(|place| place[0]).fold(0.0, f64::max) + MARGIN;
     Placed {
-        size: layout.extent(),
+        size: [width.max(farthest), height],
         elements: labels.iter().enumerate().map(drawn).collect(),
         bonds: (0..graph.bonds.len()).map(|bond| drawn_bond(graph, causality, &layout.tiled, bond)).collect(),
         tiles: (layout.tiled.tiles.iter())

@@ -31,7 +31,7 @@ fn a_start_of_the_generator_set_is_told() {
         "Block in the last period",
         "Mounts in the last period",
         "Main bearings",
-        "Energy over the run",
+        "  whole run  ",
         "Audit: energy",
     ] {
         assert!(text.contains(words), "{words}: {text}");
