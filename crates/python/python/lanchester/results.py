@@ -225,6 +225,7 @@ __all__ = [
     "Peaks",
     "PendulumSweep",
     "Percentile",
+    "PeriodHeat",
     "PeriodicResult",
     "PinForces",
     "PinLoad",
@@ -248,6 +249,7 @@ __all__ = [
     "RobustLimit",
     "RobustStage",
     "RotatingBody",
+    "RotorEffects",
     "RotorReactions",
     "RuleFactors",
     "Run",
@@ -5208,7 +5210,7 @@ class FilmOrbit(Record):
     """The orbit over one period, and what the film does on it."""
 
     __slots__ = ()
-    _FIELDS = ("change", "contact_share", "contact_time", "eccentricity", "friction_power", "largest_pressure", "largest_pressure_at", "least_film", "least_film_angle", "least_film_at", "outcome", "periods", "side_flow", "steps", "table_error",)
+    _FIELDS = ("change", "contact_share", "contact_time", "eccentricity", "feed_flow", "friction_power", "largest_pressure", "largest_pressure_at", "least_film", "least_film_angle", "least_film_at", "outcome", "periods", "side_flow", "steps", "table_error",)
 
     @property
     def change(self) -> float:
@@ -5229,6 +5231,11 @@ class FilmOrbit(Record):
     def eccentricity(self) -> FloatArray:
         """Journal centre at every instant of the load [m]."""
         return self._array("eccentricity")  # type: ignore[no-any-return]
+
+    @property
+    def feed_flow(self) -> float:
+        """Oil that grooves and holes give, mean [m3/s]; 0 where the film has none."""
+        return self._get("feed_flow")  # type: ignore[no-any-return]
 
     @property
     def friction_power(self) -> float:
@@ -5272,7 +5279,7 @@ class FilmOrbit(Record):
 
     @property
     def side_flow(self) -> float:
-        """Oil that leaves at the ends, mean [m3/s]; what a feed pressure adds is left out."""
+        """Oil that leaves at the ends, mean [m3/s]."""
         return self._get("side_flow")  # type: ignore[no-any-return]
 
     @property
@@ -5282,7 +5289,7 @@ class FilmOrbit(Record):
 
     @property
     def table_error(self) -> float:
-        """Largest difference of the table's force from that of the film solved directly, over the load."""
+        """Largest difference of the table's force from that of the film solved directly, over the load; 0 where every film of the orbit is solved directly."""
         return self._get("table_error")  # type: ignore[no-any-return]
 
 
@@ -7341,7 +7348,7 @@ class MountStudy(Result):
     """All that is told of an engine on its mounts."""
 
     __slots__ = ()
-    _FIELDS = ("at_rest", "body", "engine", "excitation", "modes", "points", "response", "rotors", "transmissibility", "version", "warnings",)
+    _FIELDS = ("at_rest", "body", "engine", "excitation", "modes", "points", "response", "rotor_effects", "rotors", "transmissibility", "version", "warnings",)
 
     @property
     def at_rest(self) -> MountStatics:
@@ -7377,6 +7384,11 @@ class MountStudy(Result):
     def response(self) -> MountResponse:
         """Against speed, by order."""
         return self._of("response", MountResponse)  # type: ignore[no-any-return]
+
+    @property
+    def rotor_effects(self) -> RotorEffects:
+        """What of them acts on the motion."""
+        return self._of("rotor_effects", RotorEffects)  # type: ignore[no-any-return]
 
     @property
     def rotors(self) -> float:
@@ -8099,6 +8111,43 @@ class Percentile(Record):
     def value(self) -> float:
         """What this share does not exceed."""
         return self._get("value")  # type: ignore[no-any-return]
+
+
+class PeriodHeat(Record):
+    """Heat of the computed cycles of all cylinders in one period, at its mean speed [J]."""
+
+    __slots__ = ()
+    _FIELDS = ("exhaust", "fuel", "indicated", "speed", "unburned", "walls",)
+
+    @property
+    def exhaust(self) -> float:
+        """What the exhaust carries away, less what the intake brings."""
+        return self._get("exhaust")  # type: ignore[no-any-return]
+
+    @property
+    def fuel(self) -> float:
+        """Energy of the fuel."""
+        return self._get("fuel")  # type: ignore[no-any-return]
+
+    @property
+    def indicated(self) -> float:
+        """Work on the pistons in cycles at this speed: that of the run differs by what its speed varies."""
+        return self._get("indicated")  # type: ignore[no-any-return]
+
+    @property
+    def speed(self) -> float:
+        """Mean speed of crankshaft 1 [rad/s]."""
+        return self._get("speed")  # type: ignore[no-any-return]
+
+    @property
+    def unburned(self) -> float:
+        """What of it does not burn."""
+        return self._get("unburned")  # type: ignore[no-any-return]
+
+    @property
+    def walls(self) -> float:
+        """Heat to the walls."""
+        return self._get("walls")  # type: ignore[no-any-return]
 
 
 class PeriodicResult(Record):
@@ -8885,6 +8934,23 @@ class RotatingBody(Record):
         return self._get("ratio")  # type: ignore[no-any-return]
 
 
+class RotorEffects(Record):
+    """What of the rotors acts on the motion of the block."""
+
+    __slots__ = ()
+    _FIELDS = ("couple", "roll",)
+
+    @property
+    def couple(self) -> bool:
+        """Their gyroscopic couple."""
+        return self._get("couple")  # type: ignore[no-any-return]
+
+    @property
+    def roll(self) -> bool:
+        """Their polar inertia does not follow the roll."""
+        return self._get("roll")  # type: ignore[no-any-return]
+
+
 class RotorReactions(Record):
     """Loads of one crankshaft or balance shaft."""
 
@@ -8967,7 +9033,7 @@ class Run2(Record):
     """A run with its samples."""
 
     __slots__ = ()
-    _FIELDS = ("audit", "cost", "end", "energy", "engine", "events", "outcome", "samples", "tolerances", "version",)
+    _FIELDS = ("audit", "cost", "end", "energy", "engine", "events", "last_period", "outcome", "samples", "tolerances", "version",)
 
     @property
     def audit(self) -> Audit:
@@ -8998,6 +9064,11 @@ class Run2(Record):
     def events(self) -> Records[Happened]:
         """What happened on the way."""
         return self._all("events", Happened)
+
+    @property
+    def last_period(self) -> EnergyLedger | None:
+        """The same over its last period, where the crank turns forward through a whole one and samples mark both its ends."""
+        return self._of("last_period", EnergyLedger)  # type: ignore[no-any-return]
 
     @property
     def outcome(self) -> RunOutcome:
@@ -9644,7 +9715,7 @@ class SimulationResult(Result):
     """A simulated run with what its reader must know."""
 
     __slots__ = ()
-    _FIELDS = ("actions", "engine", "every", "gas", "gears", "main_rule", "mains", "mounts", "notes", "periodic", "points", "revolutions", "run", "version",)
+    _FIELDS = ("actions", "engine", "gas", "gears", "heat", "main_rule", "mains", "mounts", "notes", "periodic", "points", "revolutions", "run", "version",)
 
     @property
     def actions(self) -> list[str]:
@@ -9657,13 +9728,6 @@ class SimulationResult(Result):
         return self._get("engine")  # type: ignore[no-any-return]
 
     @property
-    def every(self) -> int:
-        """Samples from one that was asked for to the next: between them stand others, at most a degree apart, so that largest values and orders do not depend on the step.
-        What is written has every one that was asked for (`written`).
-        """
-        return self._get("every")  # type: ignore[no-any-return]
-
-    @property
     def gas(self) -> str | None:
         """Where the pressures come from, in words; `None`: no gas."""
         return self._get("gas")  # type: ignore[no-any-return]
@@ -9672,6 +9736,11 @@ class SimulationResult(Result):
     def gears(self) -> list[str]:
         """Names of what turns besides crankshaft 1, in the order of the rotors of the reactions."""
         return self._list("gears")  # type: ignore[no-any-return]
+
+    @property
+    def heat(self) -> PeriodHeat | None:
+        """Heat of the last period, where the pressures are those of a computed cycle and every cylinder has all its fuel."""
+        return self._of("heat", PeriodHeat)  # type: ignore[no-any-return]
 
     @property
     def main_rule(self) -> Literal['cut', 'springs', 'beam']:
@@ -11215,7 +11284,7 @@ class TorsionLimit(Record):
     """A limit, and what is reached."""
 
     __slots__ = ()
-    _FIELDS = ("allowed", "found", "quantity", "speed",)
+    _FIELDS = ("allowed", "found", "is_known", "quantity", "speed",)
 
     @property
     def allowed(self) -> float:
@@ -11226,6 +11295,11 @@ class TorsionLimit(Record):
     def found(self) -> float:
         """Largest amplitude over speed [rad] or [Pa]."""
         return self._get("found")  # type: ignore[no-any-return]
+
+    @property
+    def is_known(self) -> bool:
+        """Whether what is found can be trusted: not where pendulums swing beyond the linear theory."""
+        return self._get("is_known")  # type: ignore[no-any-return]
 
     @property
     def quantity(self) -> Literal['twist', 'stress']:
