@@ -40,7 +40,7 @@ fn bench(criterion: &mut Criterion) {
     let request = EngineRequest {
         crankshaft_inertia: vec![3.009],
         gas_states: Some(GasStates::of(&engine).expect("a single zone")),
-        load: EngineLoad { torque: LoadTorque::Quadratic(190.0 / 209.0f64.powi(2)), reacts_on_block: false },
+        load: EngineLoad { torque: LoadLaw::Quadratic { torque: 190.0, at: 209.0 }, reacts_on_block: false },
         duration: 2.0,
         ..request
     };

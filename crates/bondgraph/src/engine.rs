@@ -41,7 +41,7 @@ mod words;
 pub use joints::{CompliantJoints, EngineJoints};
 pub use request::{
     EngineBlock, EngineDrive, EngineGraphError, EngineLink, EngineLoad, EngineRequest, EngineStart,
-    EngineStarter, GasStates, GasValve, GasWalls, LoadTorque, WallCoefficient, WallLaw,
+    EngineStarter, GasStates, GasValve, GasWalls, LoadLaw, WallCoefficient, WallLaw,
 };
 
 use crate::description::Description;

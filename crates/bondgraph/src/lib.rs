@@ -45,7 +45,7 @@ pub use description::{Description, Entry, Happening, Text, Use};
 pub use domain::Domain;
 pub use engine::{
     CompliantJoints, EngineBlock, EngineDrive, EngineGraphError, EngineJoints, EngineLink, EngineLoad,
-    EngineRequest, EngineStart, EngineStarter, GasStates, GasValve, GasWalls, LoadTorque, WallCoefficient,
+    EngineRequest, EngineStart, EngineStarter, GasStates, GasValve, GasWalls, LoadLaw, WallCoefficient,
     WallLaw, engine_graph,
 };
 pub use equations::{Equations, equations};
@@ -54,7 +54,8 @@ pub use graph::{Asked, Graph, Kind, Period};
 pub use linear::{Linear, NotLinear, Pole, Transfer};
 pub use mistake::diagnostic_codes;
 pub use output::draw::{
-    DrawnBond, DrawnElement, DrawnLabel, DrawnName, DrawnTile, Placed, drawing, moving_drawing, placed,
+    DrawnBond, DrawnElement, DrawnLabel, DrawnName, DrawnTile, LabelAnchor, Placed, drawing, moving_drawing,
+    placed,
 };
 pub use output::export::{graphml, modelica};
 pub use output::latex::equations_latex;

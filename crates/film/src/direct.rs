@@ -7,7 +7,7 @@
 //! by Newton's method. A film that keeps its oil has the emptiness r of every cell as a further unknown, which goes with `d(H r)/dt` by the same
 //! formula, so that oil is neither made nor lost from step to step. (Jakobsson, Floberg, Trans. Chalmers 190 (1957); Olsson, Trans. Chalmers 308 (1965).)
 
-use crate::bearing::{JournalBearing, JournalMotion};
+use crate::bearing::{JournalBearing, JournalMotion, VISCOSITY};
 use crate::cavitation::Cavitation;
 use crate::contact::contact_force;
 use crate::error::FilmError;
@@ -57,6 +57,8 @@ pub struct DirectRequest<'a> {
 #[derive(Debug, Clone)]
 pub struct DirectOrbit<'a> {
     request: DirectRequest<'a>,
+    /// The film at the instant in question.
+    problem: FilmProblem,
     solver: FilmSolver,
     /// Eccentricity ratios in the shell's frame, now and one step before.
     places: [Plane; 2],
@@ -87,15 +89,15 @@ impl<'a> DirectOrbit<'a> {
         if got != 0 && got != needed {
             return Err(FilmError::Samples { needed, got });
         }
-        let mut problem = FilmProblem {
+        // Viscosity and motion are those of each instant.
+        let problem = FilmProblem {
             bearing: request.bearing,
-            viscosity: 0.01,
+            viscosity: VISCOSITY[1],
             motion: JournalMotion::default(),
             tilt: [0.0, 0.0],
             cavitation: request.cavitation,
             feeds: request.feeds.to_vec(),
         };
-        problem.motion.sliding = 1.0;
         problem.check()?;
         let half = problem.is_symmetric();
         let grid = FilmGrid::uniform(CELLS.0, if half { CELLS.1 } else { 2 * CELLS.1 }, half, 0.0)?;
@@ -103,6 +105,7 @@ impl<'a> DirectOrbit<'a> {
         let largest_load = request.cycle.load.iter().map(|load| length(*load)).fold(0.0, f64::max);
         Ok(DirectOrbit {
             request: *request,
+            problem,
             solver: FilmSolver::new(grid)?,
             places: [[0.0; 2]; 2],
             empty: [vec![0.0; cells], vec![0.0; cells]],
@@ -133,25 +136,19 @@ impl<'a> DirectOrbit<'a> {
         let [now, before] = self.places;
         let velocity = [0, 1].map(|k| c * (3.0 * x[k] - 4.0 * now[k] + before[k]) / (2.0 * dt));
         let sliding = self.request.cycle.sliding[i];
-        let problem = FilmProblem {
-            bearing: self.request.bearing,
-            viscosity,
-            motion: JournalMotion {
-                eccentricity: x.map(|part| part * c),
-                velocity,
-                entrainment: 0.5 * sliding,
-                sliding,
-            },
-            tilt: [0.0, 0.0],
-            cavitation: self.request.cavitation,
-            feeds: self.request.feeds.to_vec(),
+        self.problem.viscosity = viscosity;
+        self.problem.motion = JournalMotion {
+            eccentricity: x.map(|part| part * c),
+            velocity,
+            entrainment: 0.5 * sliding,
+            sliding,
         };
         if self.request.cavitation == Cavitation::MassConserving {
             let [now, before] = &self.empty;
             let past = now.iter().zip(before).map(|(now, before)| (4.0 * now - before) / (2.0 * dt));
             self.solver.remember(1.5 / dt, past);
         }
-        let film = self.solver.solve(&problem)?;
+        let film = self.solver.solve(&self.problem)?;
         let (along, size) = direction(x);
         let contact = contact_force(&self.request.bearing, self.request.roughness, size);
         let contact = along.map(|part| -contact * part);
@@ -187,7 +184,7 @@ impl<'a> DirectOrbit<'a> {
         let mut is_new = false;
         for _ in 0..MOST_CORRECTIONS {
             if length(found.out) <= enough {
-                return Ok(Some((x, found)));
+                return Ok(found.film.converged.then_some((x, found)));
             }
             let stiffness = match self.stiffness {
                 Some(stiffness) => stiffness,

@@ -7,7 +7,7 @@ use crate::pressure::measured::TraceFile;
 use crate::simulation::gas_torque::{chosen_load, friction_at, friction_note, mean_and_friction};
 use lanchester_bondgraph::{
     Curve, Description, EngineBlock, EngineDrive, EngineGraphError, EngineJoints, EngineLink, EngineLoad,
-    EngineRequest, EngineStarter, GasStates, LoadTorque, Unit, engine_graph,
+    EngineRequest, EngineStarter, GasStates, LoadLaw, Unit, engine_graph,
 };
 use lanchester_mechanism::{CylinderGas, LoadError, TorqueError};
 use lanchester_model::{
@@ -39,7 +39,7 @@ pub struct BondGraphRequest {
     pub simulation: SimulationInput,
     /// Torque of the load; `None`: that of the file, else with gas the mean that the engine gives at the start speed (of a periodic motion in proportion to the speed),
     /// without none.
-    pub load: Option<LoadTorque>,
+    pub load: Option<LoadLaw>,
     /// Whether the load is bolted to the block; `false`: as the file says, else from the ground.
     pub load_on_block: bool,
     /// Revolutions of a simulation at the start speed, where the file gives no duration.
@@ -190,13 +190,13 @@ pub fn engine_bond_graph(
     }
     let law = match (&request.load, &input.load) {
         (Some(law), _) => law.clone(),
-        (None, Some(load)) => LoadTorque::from(&load.law),
-        (None, None) if imposed || report.is_none() => LoadTorque::None,
+        (None, Some(load)) => load.law.clone(),
+        (None, None) if imposed || report.is_none() => LoadLaw::None,
         (None, None) => {
             let load = (mean - friction).max(0.0);
             let ratio = input.driveline.iter().map(|link| link.ratio).product();
             let is_periodic = found.periodic && input.governor.is_none();
-            LoadTorque::from(&chosen_load(load, reference, ratio, is_periodic, &mut notes))
+            chosen_load(load, reference, ratio, is_periodic, &mut notes)
         }
     };
     found.drive = if imposed { EngineDrive::Imposed } else { EngineDrive::Free };

@@ -1,10 +1,9 @@
 //! What a run is asked: start, drive, load, starter, governor, driveline, events. All in SI units and radians.
 
 use crate::reactions::Guidance;
-use lanchester_model::periodic_value;
 pub use lanchester_model::{
-    Action, DrivelineInertia, Event, Governor, ImposedAgainst, LoadCurve, LoadLaw, ReactsOn, RunLoad as Load,
-    Starter, StateTolerances, TorqueOrder, When,
+    Action, DrivelineInertia, Event, Governor, ImposedAgainst, LoadLaw, ReactsOn, RunLoad as Load, Starter,
+    StateTolerances, TorqueOrder, When,
 };
 use serde::Serialize;
 
@@ -209,8 +208,7 @@ pub fn load_torque(law: &LoadLaw, speed: f64, angle: f64) -> f64 {
         LoadLaw::Quadratic { torque, at } => torque * (size / at).powi(2),
         LoadLaw::Power { power, least_speed } => power / size.max(*least_speed),
         LoadLaw::Table(points) => straight(points, size),
-        LoadLaw::Angle { period, points } => return periodic_value(points, *period, angle),
-        LoadLaw::Map { period, curves } => return mapped(curves, *period, size, angle),
+        LoadLaw::Angle { .. } | LoadLaw::Map { .. } => return law.at_angle(angle, speed).unwrap_or(0.0),
     };
     amount * if speed < 0.0 { -1.0 } else { 1.0 }
 }
@@ -220,20 +218,6 @@ pub(crate) fn holding_torque(law: &LoadLaw) -> f64 {
     match law {
         law if law.is_over_angle() => 0.0,
         law => load_torque(law, f64::MIN_POSITIVE, 0.0),
-    }
-}
-
-/// Torque of a load at a speed [rad/s] and angle [rad]: straight between the curves of two speeds, constant beyond.
-fn mapped(curves: &[LoadCurve], period: f64, speed: f64, angle: f64) -> f64 {
-    let of = |curve: &LoadCurve| periodic_value(&curve.points, period, angle);
-    let above = curves.partition_point(|curve| curve.speed <= speed);
-    match (above.checked_sub(1).and_then(|below| curves.get(below)), curves.get(above)) {
-        (Some(low), Some(high)) => {
-            let share = (speed - low.speed) / (high.speed - low.speed);
-            (1.0 - share) * of(low) + share * of(high)
-        }
-        (Some(only), None) | (None, Some(only)) => of(only),
-        (None, None) => 0.0,
     }
 }
 

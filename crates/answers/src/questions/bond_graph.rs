@@ -5,7 +5,7 @@ use crate::asker::Asker;
 use crate::problem::Problem;
 use crate::questions::reading::{engine_file, in_utf16};
 use lanchester::bondgraph::{
-    CompliantJoints, DrawnLabel, EngineBlock, EngineJoints, Graph, Notation, PartLine, Placed,
+    CompliantJoints, EngineBlock, EngineJoints, Graph, LabelAnchor, Notation, PartLine, Placed,
     ShownEquations, Simulation, SimulationRequest, causality_text, equations, graph_file, mathml, placed,
 };
 use lanchester::file::Diagnostic;
@@ -151,15 +151,6 @@ struct GraphLabel {
     is_value: bool,
 }
 
-/// Which side of words stands at their place.
-#[derive(Debug, Serialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-enum LabelAnchor {
-    Start,
-    Middle,
-    End,
-}
-
 /// A bond in its place, with what it carries.
 #[derive(Debug, Serialize, JsonSchema)]
 struct GraphBond {
@@ -290,7 +281,14 @@ fn answer(text: &str, parts: &BTreeMap<String, String>) -> Result<GraphAnswer, P
                 kind: own.kind,
                 at: own.at,
                 kind_at: own.kind_at,
-                labels: own.labels.into_iter().map(label).collect(),
+                labels: (own.labels.into_iter())
+                    .map(|own| GraphLabel {
+                        at: own.at,
+                        anchor: own.anchor,
+                        text: own.text,
+                        is_value: own.is_value,
+                    })
+                    .collect(),
                 follows: own.follows,
             })
             .collect(),
@@ -328,15 +326,6 @@ fn answer(text: &str, parts: &BTreeMap<String, String>) -> Result<GraphAnswer, P
         ended: run.ended,
         complete: run.complete,
     })
-}
-
-fn label(own: DrawnLabel) -> GraphLabel {
-    let anchor = match own.anchor {
-        "start" => LabelAnchor::Start,
-        "end" => LabelAnchor::End,
-        _ => LabelAnchor::Middle,
-    };
-    GraphLabel { at: own.at, anchor, text: own.text, is_value: own.is_value }
 }
 
 /// Unit and values of a bond's series.

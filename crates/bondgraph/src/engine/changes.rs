@@ -10,7 +10,7 @@
 
 use super::Builder;
 use super::changing::Changing;
-use super::request::LoadTorque;
+use super::request::load_at;
 use super::words::{number, quantity};
 use crate::curve::Curve;
 use lanchester_model::{Action, Governor, When};
@@ -101,7 +101,7 @@ impl Builder<'_> {
             Action::Fuel(share) if self.has_gas() => vec![("fuel".into(), *share)],
             Action::Load(law) => {
                 // Only constants and none can be written; of any other law it is the torque at the start speed.
-                let torque = LoadTorque::from(law).at(self.request.speed, 0.0);
+                let torque = load_at(law, self.request.speed, 0.0);
                 vec![("load_share".into(), 0.0), ("load_torque".into(), torque)]
             }
             Action::ClutchOpen if !self.request.driveline.is_empty() => vec![("clutch_closed".into(), 0.0)],

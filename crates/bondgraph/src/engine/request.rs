@@ -2,7 +2,8 @@
 
 use super::joints::EngineJoints;
 use crate::curve::Curve;
-use lanchester_model::{Event, Governor, LoadCurve, LoadLaw};
+pub use lanchester_model::LoadLaw;
+use lanchester_model::{Event, Governor};
 use serde::Serialize;
 
 /// What the graph of an engine holds beside its crank train.
@@ -90,7 +91,7 @@ impl EngineRequest {
             friction_torque: 0.0,
             friction_growth: [0.0; 2],
             piston_damping: 0.0,
-            load: EngineLoad { torque: LoadTorque::None, reacts_on_block: false },
+            load: EngineLoad { torque: LoadLaw::None, reacts_on_block: false },
             driveline: Vec::new(),
             starter: None,
             governor: None,
@@ -247,106 +248,31 @@ pub struct GasWalls {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct EngineLoad {
     /// Its torque against the rotation.
-    pub torque: LoadTorque,
+    pub torque: LoadLaw,
     /// Whether it is bolted to the block; otherwise it acts from the ground.
     pub reacts_on_block: bool,
 }
 
-/// Torque of a load over the speed or angle of the shaft.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[serde(rename_all = "snake_case")]
-pub enum LoadTorque {
-    /// None.
-    None,
-    /// The same at every speed [N m].
-    Constant(f64),
-    /// Proportional to speed [N m s].
-    Viscous(f64),
-    /// Proportional to its square [N m s^2].
-    Quadratic(f64),
-    /// A constant power; below a speed the torque stays what it is there.
-    Power {
-        /// Power [W].
-        power: f64,
-        /// That speed [rad/s].
-        least_speed: f64,
-    },
-    /// Torque [N m] at speeds [rad/s] that rise, straight between, constant beyond.
-    Speed(Vec<[f64; 2]>),
-    /// Torque [N m] at angles [rad] that rise, straight between; it acts against positive rotation at any speed.
-    Angle {
-        /// Angle after which it repeats [rad].
-        period: f64,
-        /// Angles and torques.
-        points: Vec<[f64; 2]>,
-    },
-    /// Such curves at speeds that rise, straight between them, constant beyond.
-    Map {
-        /// Angle after which they repeat [rad].
-        period: f64,
-        /// The curves.
-        curves: Vec<LoadCurve>,
-    },
-}
-
-impl From<&LoadLaw> for LoadTorque {
-    fn from(law: &LoadLaw) -> LoadTorque {
-        match law {
-            LoadLaw::None => LoadTorque::None,
-            LoadLaw::Constant(torque) => LoadTorque::Constant(*torque),
-            LoadLaw::Viscous { torque, at } => LoadTorque::Viscous(torque / at),
-            LoadLaw::Quadratic { torque, at } => LoadTorque::Quadratic(torque / (at * at)),
-            LoadLaw::Power { power, least_speed } => {
-                LoadTorque::Power { power: *power, least_speed: *least_speed }
-            }
-            LoadLaw::Table(points) => LoadTorque::Speed(points.clone()),
-            LoadLaw::Angle { period, points } => {
-                LoadTorque::Angle { period: *period, points: points.clone() }
-            }
-            LoadLaw::Map { period, curves } => LoadTorque::Map { period: *period, curves: curves.clone() },
-        }
-    }
-}
-
-impl LoadTorque {
-    /// Whether it depends on the angle.
-    pub(crate) fn is_over_angle(&self) -> bool {
-        matches!(self, LoadTorque::Angle { .. } | LoadTorque::Map { .. })
-    }
-
-    /// Torque at a speed [rad/s] and angle [rad] of its shaft [N m], positive against positive rotation.
-    pub(crate) fn at(&self, speed: f64, angle: f64) -> f64 {
-        let size = speed.abs();
-        let straight = |points: &[[f64; 2]], x: f64| -> f64 {
-            let after = points.partition_point(|point| point[0] <= x);
+/// Torque of a load at a speed [rad/s] and angle [rad] of its shaft [N m], positive against positive rotation.
+pub(crate) fn load_at(law: &LoadLaw, speed: f64, angle: f64) -> f64 {
+    let size = speed.abs();
+    let amount = match law {
+        LoadLaw::None => 0.0,
+        LoadLaw::Constant(torque) => *torque,
+        LoadLaw::Viscous { torque, at } => torque / at * size,
+        LoadLaw::Quadratic { torque, at } => torque / (at * at) * size * size,
+        LoadLaw::Power { power, least_speed } => power / size.max(*least_speed),
+        LoadLaw::Table(points) => {
+            let after = points.partition_point(|point| point[0] <= size);
             match (after.checked_sub(1).and_then(|before| points.get(before)), points.get(after)) {
-                (Some(a), Some(b)) => a[1] + (b[1] - a[1]) * (x - a[0]) / (b[0] - a[0]),
+                (Some(a), Some(b)) => a[1] + (b[1] - a[1]) * (size - a[0]) / (b[0] - a[0]),
                 (Some(only), None) | (None, Some(only)) => only[1],
                 (None, None) => 0.0,
             }
-        };
-        let over_angle = |points: &[[f64; 2]], period: f64| {
-            let Some(first) = points.first() else { return 0.0 };
-            let mut points = points.to_vec();
-            points.push([first[0] + period, first[1]]);
-            straight(&points, first[0] + (angle - first[0]).rem_euclid(period))
-        };
-        let amount = match self {
-            LoadTorque::None => 0.0,
-            LoadTorque::Constant(torque) => *torque,
-            LoadTorque::Viscous(factor) => factor * size,
-            LoadTorque::Quadratic(factor) => factor * size * size,
-            LoadTorque::Power { power, least_speed } => power / size.max(*least_speed),
-            LoadTorque::Speed(points) => straight(points, size),
-            LoadTorque::Angle { period, points } => return over_angle(points, *period),
-            LoadTorque::Map { period, curves } => {
-                let at_speeds: Vec<[f64; 2]> =
-                    curves.iter().map(|curve| [curve.speed, over_angle(&curve.points, *period)]).collect();
-                return straight(&at_speeds, size);
-            }
-        };
-        if speed < 0.0 { -amount } else { amount }
-    }
+        }
+        LoadLaw::Angle { .. } | LoadLaw::Map { .. } => return law.at_angle(angle, speed).unwrap_or(0.0),
+    };
+    if speed < 0.0 { -amount } else { amount }
 }
 
 /// An inertia behind the flywheel on a torsional spring.

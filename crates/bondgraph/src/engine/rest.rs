@@ -15,7 +15,7 @@
 
 use super::Builder;
 use super::numbers::{apply, cross, linkage, rotation};
-use super::request::{EngineBlock, EngineStart};
+use super::request::{EngineBlock, EngineStart, load_at};
 use lanchester_numerics::Lu;
 use num_complex::Complex64;
 
@@ -151,8 +151,11 @@ impl Builder<'_> {
         }
         if !self.request.load.reacts_on_block {
             let ratio: f64 = self.request.driveline.iter().map(|link| link.ratio).product();
-            let torque =
-                self.request.load.torque.at(ratio * self.request.speed, ratio * self.request.start_angle);
+            let torque = load_at(
+                &self.request.load.torque,
+                ratio * self.request.speed,
+                ratio * self.request.start_angle,
+            );
             for k in 0..3 {
                 moment[k] -= turn[k][2] * torque;
             }

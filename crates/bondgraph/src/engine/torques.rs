@@ -7,7 +7,7 @@
 //! An inertia of the driveline turns with the block: it holds the momentum J (w + Omega_z).
 
 use super::Builder;
-use super::request::{EngineBlock, EngineDrive, LoadTorque};
+use super::request::{EngineBlock, EngineDrive, LoadLaw, load_at};
 use super::words::{combination, number, quantity};
 use crate::curve::Curve;
 use crate::unit::Unit;
@@ -23,7 +23,7 @@ impl Builder<'_> {
     pub(crate) fn acts_from_ground(&self) -> bool {
         let request = self.request;
         let on_crank = request.driveline.is_empty();
-        (on_crank && request.load.torque != LoadTorque::None && !request.load.reacts_on_block)
+        (on_crank && request.load.torque != LoadLaw::None && !request.load.reacts_on_block)
             || !request.torque.is_empty()
             || (request.drive == EngineDrive::Imposed
                 && (request.against_ground || self.is_driven_from_ground()))
@@ -119,7 +119,7 @@ impl Builder<'_> {
             let k = index + 1;
             (speed, angle) = (link.ratio * speed, link.ratio * angle);
             let behind: f64 = links[k..].iter().map(|link| link.ratio).product();
-            let torque = behind * self.request.load.torque.at(speed * behind, angle * behind);
+            let torque = behind * load_at(&self.request.load.torque, speed * behind, angle * behind);
             let twist = if link.stiffness > 0.0 { torque / link.stiffness } else { 0.0 };
             angle -= twist;
             let own = format!("link{k}");
@@ -190,16 +190,18 @@ impl Builder<'_> {
         let place = if load.reacts_on_block { own } else { absolute };
         let changes = self.changing.has("load_share");
         let law = match &load.torque {
-            LoadTorque::None if changes => "load_torque*sign(f)".to_owned(),
-            LoadTorque::None => return,
-            LoadTorque::Constant(torque) => format!("{}*sign(f)", quantity(*torque, "N m")),
-            LoadTorque::Viscous(factor) => format!("{}*f", quantity(*factor, "N m s")),
-            LoadTorque::Quadratic(factor) => format!("{}*f*abs(f)", quantity(*factor, "N m s2")),
-            LoadTorque::Power { power, least_speed } => {
+            LoadLaw::None if changes => "load_torque*sign(f)".to_owned(),
+            LoadLaw::None => return,
+            LoadLaw::Constant(torque) => format!("{}*sign(f)", quantity(*torque, "N m")),
+            LoadLaw::Viscous { torque, at } => format!("{}*f", quantity(torque / at, "N m s")),
+            LoadLaw::Quadratic { torque, at } => {
+                format!("{}*f*abs(f)", quantity(torque / (at * at), "N m s2"))
+            }
+            LoadLaw::Power { power, least_speed } => {
                 let least = quantity(*least_speed, "rad/s");
                 format!("{}/max(abs(f), {least})*sign(f)", quantity(*power, "W"))
             }
-            LoadTorque::Speed(points) => match points.as_slice() {
+            LoadLaw::Table(points) => match points.as_slice() {
                 [] if changes => "0 N m*sign(f)".to_owned(),
                 [] => return,
                 [[_, torque]] => format!("{}*sign(f)", quantity(*torque, "N m")),
@@ -209,7 +211,7 @@ impl Builder<'_> {
                     "table(load_over_speed, abs(f))*sign(f)".to_owned()
                 }
             },
-            LoadTorque::Map { period, curves } => {
+            LoadLaw::Map { period, curves } => {
                 let Some(law) = self.load_map(*period, curves, angle) else { return };
                 let share = if changes { "load_share*" } else { "" };
                 let given = if changes { " + load_torque*sign(f)" } else { "" };
@@ -217,7 +219,7 @@ impl Builder<'_> {
                 self.bond(place, "load");
                 return;
             }
-            LoadTorque::Angle { period, points } => {
+            LoadLaw::Angle { period, points } => {
                 let Some(curve) = over_angle(points, *period) else { return };
                 self.graph.tables.push(("load_over_angle".into(), curve));
                 let share = if changes { "-load_share*" } else { "-" };
@@ -235,7 +237,7 @@ impl Builder<'_> {
             }
         };
         let law = match (&load.torque, changes) {
-            (LoadTorque::None, _) | (_, false) => law,
+            (LoadLaw::None, _) | (_, false) => law,
             _ => format!("load_share*{law} + load_torque*sign(f)"),
         };
         self.element("load", "R", &[("effort", &law)]);

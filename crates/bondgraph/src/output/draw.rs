@@ -76,12 +76,35 @@ pub struct DrawnElement {
 pub struct DrawnLabel {
     /// Their base line, at the side that `anchor` names.
     pub at: [f64; 2],
-    /// `start`, `middle` or `end`.
-    pub anchor: &'static str,
+    /// Which side stands there.
+    pub anchor: LabelAnchor,
     /// The words.
     pub text: String,
     /// Whether they are the value; else the name.
     pub is_value: bool,
+}
+
+/// Which side of words stands at their place.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum LabelAnchor {
+    /// Their left.
+    Start,
+    /// Their middle.
+    Middle,
+    /// Their right.
+    End,
+}
+
+impl LabelAnchor {
+    /// Its word in SVG.
+    fn word(self) -> &'static str {
+        match self {
+            LabelAnchor::Start => "start",
+            LabelAnchor::Middle => "middle",
+            LabelAnchor::End => "end",
+        }
+    }
 }
 
 /// A bond in its place.
@@ -309,16 +332,23 @@ fn lettering(
     let is_core = element.is_junction() || element.ports.len() > 1;
     // A name stands where few bonds are: of a junction on the side with fewer, of a one-port away from its bond.
     let (kind_y, name_x, name_y, anchor) = match beside {
-        Some(side) => (y + 6.0, x + 14.0 * side, y - 2.0, if side < 0.0 { "end" } else { "start" }),
-        None if element.is_junction() && !ahead => (y + 6.0, x + 16.0, y + 4.0, "start"),
+        Some(side) => (
+            y + 6.0,
+            x + 14.0 * side,
+            y - 2.0,
+            if side < 0.0 { LabelAnchor::End } else { LabelAnchor::Start },
+        ),
+        None if element.is_junction() && !ahead => (y + 6.0, x + 16.0, y + 4.0, LabelAnchor::Start),
         None if element.is_junction() => {
-            (y + 6.0, x + 12.0, if above > 1 { y + 27.0 } else { y - 15.0 }, "start")
+            (y + 6.0, x + 12.0, if above > 1 { y + 27.0 } else { y - 15.0 }, LabelAnchor::Start)
         }
-        None if is_core && straight_above => (y + 6.0, x + 14.0, y - 15.0, "start"),
-        None if tiled.to_the_right.contains(&index) && is_core => (y + 6.0, x - 4.0, y - 17.0, "start"),
-        None if is_core => (y + 6.0, x - 16.0, y - 17.0, "start"),
-        None if limb_is_up(graph, places, index) => (y + 2.0, x, y - 18.0, "middle"),
-        None => (y + 8.0, x, y + 25.0, "middle"),
+        None if is_core && straight_above => (y + 6.0, x + 14.0, y - 15.0, LabelAnchor::Start),
+        None if tiled.to_the_right.contains(&index) && is_core => {
+            (y + 6.0, x - 4.0, y - 17.0, LabelAnchor::Start)
+        }
+        None if is_core => (y + 6.0, x - 16.0, y - 17.0, LabelAnchor::Start),
+        None if limb_is_up(graph, places, index) => (y + 2.0, x, y - 18.0, LabelAnchor::Middle),
+        None => (y + 8.0, x, y + 25.0, LabelAnchor::Middle),
     };
     // The value stands below the name of a one-port, which stands higher for it, and behind that of a two-port.
     let lift = if !is_core && label.value.is_some() && name_y < y - 10.0 { 12.0 } else { 0.0 };
@@ -341,7 +371,7 @@ fn symbol(written: &str, ([x, y], labels): &([f64; 2], Vec<DrawnLabel>), colour:
         escaped(written)
     );
     for DrawnLabel { at: [x, y], anchor, text, is_value } in labels {
-        let colour = if *is_value { VALUE } else { colour };
+        let (colour, anchor) = (if *is_value { VALUE } else { colour }, anchor.word());
         let _ = writeln!(
             svg,
             "<text x=\"{x:.1}\" y=\"{y:.1}\" font-size=\"11\" text-anchor=\"{anchor}\" fill=\"{colour}\" \

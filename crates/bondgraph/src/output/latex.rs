@@ -18,7 +18,7 @@ const GOES_ON: &str = " \\\\\n&\\quad ";
 /// );
 /// let found = lanchester_bondgraph::equations(&graph.expect("it is good")).expect("no conflict");
 /// let text = lanchester_bondgraph::equations_latex(&found.shown(lanchester_bondgraph::Notation::Latex));
-/// assert!(text.contains("\\section*{State equations}"));
+/// assert!(text.contains("\\subsection*{State equations}"));
 /// ```
 pub fn equations_latex(shown: &ShownEquations) -> String {
     let mut out = format!(

@@ -128,7 +128,8 @@ fn held(
         change += energy(equations, port, *bond, &samples[last], &variables[last])?
             - energy(equations, port, *bond, &samples[0], &variables[0])?;
     }
-    Some(change)
+    // A law that asks for more than efforts, flows and signals has none.
+    change.is_finite().then_some(change)
 }
 
 /// Whether a law of efforts and flows is linear in them, without a part that they do not bring.

@@ -1,11 +1,11 @@
 //! Events of a run while the gas is states: misfire, fuel, load, clutch and stop of the three-cylinder engine of the bond-graph thesis.
 
 use lanchester_bondgraph::{
-    EngineDrive, EngineLink, EngineLoad, EngineRequest, GasStates, Graph, LoadTorque, Simulation,
+    EngineDrive, EngineLink, EngineLoad, EngineRequest, GasStates, Graph, LoadLaw, Simulation,
     SimulationRequest, engine_graph, equations,
 };
 use lanchester_file::read;
-use lanchester_model::{Action, Engine, Event, LoadLaw, When};
+use lanchester_model::{Action, Engine, Event, When};
 use std::f64::consts::TAU;
 
 const SPEED: f64 = TAU * 2000.0 / 60.0;
@@ -93,7 +93,7 @@ fn fuel_load_clutch_and_stop_act_with_gas_as_states() {
     ];
     let change = |request: &mut EngineRequest| {
         request.driveline = vec![EngineLink { inertia: 0.3, stiffness: 3000.0, damping: 6.0, ratio: 1.0 }];
-        request.load = EngineLoad { torque: LoadTorque::Constant(90.0), reacts_on_block: false };
+        request.load = EngineLoad { torque: LoadLaw::Constant(90.0), reacts_on_block: false };
     };
     let run = run(events, change, 12.0);
     assert!(run.complete && run.ended.starts_with("stopped by an event"), "{}", run.ended);

@@ -2,7 +2,7 @@
 //! `examples/three-cylinder.toml`: its gas as states, and its rocking without and with the balancer shaft.
 
 use lanchester_bondgraph::{
-    EngineBlock, EngineDrive, EngineLoad, EngineRequest, Equations, GasStates, GasWalls, Graph, LoadTorque,
+    EngineBlock, EngineDrive, EngineLoad, EngineRequest, Equations, GasStates, GasWalls, Graph, LoadLaw,
     Simulation, SimulationRequest, engine_graph, equations,
 };
 use lanchester_file::read;
@@ -50,7 +50,7 @@ fn lit_singh_pressures_speed_and_torque() {
     request.piston_damping = 20.0;
     // A quadratic load that takes 190 N m at 2000 rpm.
     request.load =
-        EngineLoad { torque: LoadTorque::Quadratic(190.0 / (speed * speed)), reacts_on_block: false };
+        EngineLoad { torque: LoadLaw::Quadratic { torque: 190.0, at: speed }, reacts_on_block: false };
     let found = found(&engine, &request);
     assert!(found.causality.followers.iter().all(|follower| !follower.element.contains("gas")));
     let cycles = 4.0;
@@ -131,7 +131,7 @@ fn lit_singh_speed_settles_and_ripples_with_the_firings() {
         request.gas_states = Some(GasStates::of(&engine).expect("a single zone"));
         request.piston_damping = 20.0;
         request.load =
-            EngineLoad { torque: LoadTorque::Quadratic(190.0 / (speed * speed)), reacts_on_block: false };
+            EngineLoad { torque: LoadLaw::Quadratic { torque: 190.0, at: speed }, reacts_on_block: false };
         let found = found(&engine, &request);
         let cycle = 2.0 * TAU / speed;
         let settled = 30.0 * cycle;

@@ -12,7 +12,7 @@ use crate::options::bondgraph::{
 use crate::simulation_watch::Interruptible;
 use crate::trace_files::{read_torques, trace_files};
 use lanchester::bondgraph::{
-    Cancel, CompliantJoints, Description, EngineBlock, EngineJoints, Equations, Graph, LoadTorque, Method,
+    Cancel, CompliantJoints, Description, EngineBlock, EngineJoints, Equations, Graph, LoadLaw, Method,
     Notation, Preference, SimulationRequest, audit_text, causality, causality_text, drawing, equations,
     equations_latex, equations_text, graph_file, graphml, is_graph_file, linear_text, modelica,
     moving_drawing, simulation_csv, simulation_text, used_graphs,
@@ -132,8 +132,8 @@ fn of_engine(
     let engine = &engine_file.engine;
     let load = match options.load.as_deref().map(str::trim) {
         None => None,
-        Some("none") => Some(LoadTorque::None),
-        Some(text) => Some(LoadTorque::Constant(option::torque(text, "--load")?)),
+        Some("none") => Some(LoadLaw::None),
+        Some(text) => Some(LoadLaw::Constant(option::torque(text, "--load")?)),
     };
     let mut simulation = engine_file.tasks.simulation.as_deref().cloned().unwrap_or_default();
     if arguments.until.is_some() {

@@ -53,7 +53,7 @@ pub fn run(arguments: &TorsionArguments, colour: bool) -> Result<u8, Failure> {
     if found.is_within() {
         return Ok(DONE);
     }
-    tell("a limit of [torsion] is not kept");
+    tell("a limit of [torsion] is not kept, or not known to be");
     Ok(NOT_AS_EXPECTED)
 }
 

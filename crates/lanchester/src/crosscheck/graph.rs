@@ -7,8 +7,8 @@ use crate::bond_graph::gauge_pressures;
 use crate::crosscheck::pair::{CrossCheckError, Pair};
 use crate::pressure::simulated::GivenGas;
 use lanchester_bondgraph::{
-    EngineBlock, EngineLoad, EngineRequest, Graph, LoadTorque, Simulation as GraphRun, SimulationRequest,
-    engine_graph, equations,
+    EngineBlock, EngineLoad, EngineRequest, Graph, Simulation as GraphRun, SimulationRequest, engine_graph,
+    equations,
 };
 use lanchester_mechanism::{GasTrain, Lever};
 use lanchester_multibody::{
@@ -70,8 +70,8 @@ pub(crate) fn all_free(pair: &Pair<'_>) -> Result<Result<Vec<CrossRow>, String>,
     Ok(Ok(quantities(pair, &ours, &run, moves).into_iter().map(row).collect()))
 }
 
-fn load_torque(load: f64) -> LoadTorque {
-    if load == 0.0 { LoadTorque::None } else { LoadTorque::Constant(load) }
+fn load_torque(load: f64) -> LoadLaw {
+    if load == 0.0 { LoadLaw::None } else { LoadLaw::Constant(load) }
 }
 
 fn simulated(pair: &Pair<'_>, moves: bool, load: f64) -> Result<Run, CrossCheckError> {

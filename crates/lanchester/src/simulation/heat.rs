@@ -29,8 +29,9 @@ pub(super) fn period_heat(
     let period = TAU * f64::from(revolutions);
     let (theta, time) = (&run.samples.theta, &run.samples.time);
     let (end, now) = (theta.last()?, time.last()?);
-    let first = theta.partition_point(|at| *at < end - period - 1e-6);
-    let speed = (end - theta.get(first)?) / (now - time.get(first)?);
+    // The crank may have turned back before.
+    let first = theta.iter().rposition(|at| *at <= end - period + 1e-6)?;
+    let speed = (end - theta[first]) / (now - time[first]);
     if !(speed > 0.0 && speed.is_finite()) {
         return None;
     }

@@ -137,8 +137,9 @@ pub fn crank_cycle(
             None
         }
     };
-    let is_ideal =
-        |gas: &GasReport| gas.cycles.iter().any(|own| matches!(own.cycle, CylinderCycle::Ideal(_)));
+    let is_ideal = |gas: &GasReport| {
+        gas.cycles.iter().any(|own| matches!(&own.cycle, CylinderCycle::Ideal(ideal) if ideal.heat > 0.0))
+    };
     let ringing = gas.as_ref().is_some_and(is_ideal).then(|| RINGING.to_owned());
     notes.extend(left_out(engine, request, &sheet.crank.left_out));
     Ok(CrankCycle {

@@ -2,8 +2,8 @@
 
 use crate::bond_graph_engine::{BLOCK, Given, difference, mounts, pressure, single};
 use lanchester::bondgraph::{
-    EngineBlock, EngineLink, EngineLoad, EngineRequest, Graph, LoadTorque, Simulation as GraphRun,
-    SimulationRequest, engine_graph, equations,
+    EngineBlock, EngineLink, EngineLoad, EngineRequest, Graph, Simulation as GraphRun, SimulationRequest,
+    engine_graph, equations,
 };
 use lanchester::file::{read, template};
 use lanchester::model::{Action, DrivelineInertia, Engine, Event, Governor, When};
@@ -64,7 +64,7 @@ impl Case {
             gravity: 9.80665,
             crankshaft_inertia: vec![0.09; self.engine.crankshafts.len()],
             pressures: vec![pressure(); self.engine.cylinders.len()],
-            load: EngineLoad { torque: LoadTorque::from(&self.load), reacts_on_block: false },
+            load: EngineLoad { torque: self.load.clone(), reacts_on_block: false },
             governor: self.governor,
             events: self.events.clone(),
             driveline: self.driveline.iter().map(link).collect(),

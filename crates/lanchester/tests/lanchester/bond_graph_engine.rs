@@ -2,8 +2,8 @@
 //! revolutions, every quantity of the motion.
 
 use lanchester::bondgraph::{
-    Curve, EngineBlock, EngineLoad, EngineRequest, EngineStart, Equations, Graph, LoadTorque,
-    SimulationRequest, Unit, engine_graph, equations,
+    Curve, EngineBlock, EngineLoad, EngineRequest, EngineStart, Equations, Graph, SimulationRequest, Unit,
+    engine_graph, equations,
 };
 use lanchester::file::{read, template};
 use lanchester::model::Engine;
@@ -177,7 +177,7 @@ impl Case {
             piston_damping: self.piston_damping,
             friction_torque: self.friction[0],
             friction_growth: [self.friction[1], self.friction[2]],
-            load: EngineLoad { torque: LoadTorque::Constant(self.load), reacts_on_block: false },
+            load: EngineLoad { torque: LoadLaw::Constant(self.load), reacts_on_block: false },
             ..EngineRequest::free(self.speed, 10.0)
         };
         let description = engine_graph(&self.engine, &request).expect("it has what it needs");
@@ -445,7 +445,7 @@ fn xcheck_friction_of_a_file() {
     let request = BondGraphRequest {
         speed: Some(speed),
         block: Some(EngineBlock::Fixed),
-        load: Some(LoadTorque::Constant(20.0)),
+        load: Some(LoadLaw::Constant(20.0)),
         ..BondGraphRequest::default()
     };
     let found = engine_bond_graph(&file.engine, &[], &request).expect("it has what it needs");

@@ -2,8 +2,8 @@
 
 use crate::bond_graph_engine::{BLOCK, Given, mounts, pressure, single};
 use lanchester::bondgraph::{
-    EngineBlock, EngineDrive, EngineLink, EngineLoad, EngineRequest, Graph, LoadTorque, PeriodicEnd,
-    SimulationRequest, engine_graph, equations,
+    EngineBlock, EngineDrive, EngineLink, EngineLoad, EngineRequest, Graph, PeriodicEnd, SimulationRequest,
+    engine_graph, equations,
 };
 use lanchester::file::{read, template};
 use lanchester::model::{DrivelineInertia, Engine, ImposedAgainst};
@@ -74,7 +74,7 @@ impl Case {
             crankshaft_inertia: vec![0.09; self.engine.crankshafts.len()],
             pressures,
             piston_damping: 4.0,
-            load: EngineLoad { torque: LoadTorque::from(&self.load), reacts_on_block: false },
+            load: EngineLoad { torque: self.load.clone(), reacts_on_block: false },
             driveline: self.driveline.iter().map(link).collect(),
             periodic: true,
             ..EngineRequest::free(150.0, 2.0)

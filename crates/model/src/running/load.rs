@@ -84,34 +84,46 @@ impl LoadLaw {
         matches!(self, LoadLaw::Angle { .. } | LoadLaw::Map { .. })
     }
 
-    /// What it takes over the angle at a speed [rad/s]: period [rad], angles [rad] and torques [N m]; `None` where the angle has no part in it.
-    pub fn over_angle(&self, speed: f64) -> Option<(f64, Vec<[f64; 2]>)> {
+    /// Torque at an angle [rad] and a speed [rad/s] by the points of a law that depends on the angle [N m]: straight between them; `None` of any other.
+    pub fn at_angle(&self, angle: f64, speed: f64) -> Option<f64> {
         match self {
-            LoadLaw::Angle { period, points } => Some((*period, points.clone())),
+            LoadLaw::Angle { period, points } => Some(periodic_value(points, *period, angle)),
             LoadLaw::Map { period, curves } => {
-                let above = curves.partition_point(|curve| curve.speed <= speed.abs());
-                let around = (above.checked_sub(1).and_then(|below| curves.get(below)), curves.get(above));
-                match around {
-                    (Some(below), Some(above)) => {
-                        let share = (speed.abs() - below.speed) / (above.speed - below.speed);
-                        let mut angles: Vec<f64> =
-                            below.points.iter().chain(&above.points).map(|point| point[0]).collect();
-                        angles.sort_by(f64::total_cmp);
-                        angles.dedup();
-                        let both = |angle: f64| {
-                            let [low, high] =
-                                [below, above].map(|curve| periodic_value(&curve.points, *period, angle));
-                            [angle, low + (high - low) * share]
-                        };
-                        Some((*period, angles.into_iter().map(both).collect()))
+                let of = |curve: &LoadCurve| periodic_value(&curve.points, *period, angle);
+                Some(match around(curves, speed) {
+                    [Some(low), Some(high)] => {
+                        let share = (speed.abs() - low.speed) / (high.speed - low.speed);
+                        (1.0 - share) * of(low) + share * of(high)
                     }
-                    (Some(only), None) | (None, Some(only)) => Some((*period, only.points.clone())),
-                    (None, None) => None,
-                }
+                    [Some(only), None] | [None, Some(only)] => of(only),
+                    [None, None] => 0.0,
+                })
             }
             _ => None,
         }
     }
+
+    /// What it takes over the angle at a speed [rad/s]: period [rad], angles [rad] and torques [N m]; `None` where the angle has no part in it.
+    pub fn over_angle(&self, speed: f64) -> Option<(f64, Vec<[f64; 2]>)> {
+        let (period, mut angles): (f64, Vec<f64>) = match self {
+            LoadLaw::Angle { period, points } => (*period, points.iter().map(|point| point[0]).collect()),
+            LoadLaw::Map { period, curves } => {
+                let own = around(curves, speed).into_iter().flatten();
+                (*period, own.flat_map(|curve| &curve.points).map(|point| point[0]).collect())
+            }
+            _ => return None,
+        };
+        angles.sort_by(f64::total_cmp);
+        angles.dedup();
+        let points = angles.into_iter().map(|angle| Some([angle, self.at_angle(angle, speed)?]));
+        Some((period, points.collect::<Option<_>>()?))
+    }
+}
+
+/// The curves next below and next above a speed [rad/s].
+fn around(curves: &[LoadCurve], speed: f64) -> [Option<&LoadCurve>; 2] {
+    let above = curves.partition_point(|curve| curve.speed <= speed.abs());
+    [above.checked_sub(1).and_then(|below| curves.get(below)), curves.get(above)]
 }
 
 /// Value at `x` on straight lines through points within one period, from the last to the first of the next; 0 without points.

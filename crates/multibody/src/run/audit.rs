@@ -113,8 +113,8 @@ impl Auditor {
     /// Works and energies over the last period between two samples, if the crank turns forward through it.
     fn last_period(&self) -> Option<EnergyLedger> {
         // Its end is the last sample, or the one before where the run ends between two.
-        let ends = (1..self.sums.len()).rev().take(2);
-        let (first, last) = ends.into_iter().find_map(|last| {
+        let mut ends = (1..self.sums.len()).rev().take(2);
+        let (first, last) = ends.find_map(|last| {
             let start = self.sums[last].theta - self.period;
             let mut before = self.sums.iter().take(last);
             Some((before.position(|own| (own.theta - start).abs() <= SAME_ANGLE)?, last))

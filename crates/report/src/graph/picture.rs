@@ -2,7 +2,7 @@
 
 use crate::kit::figure::{Figure, Panel};
 use crate::kit::svg::{Anchor, Path, Svg};
-use lanchester_bondgraph::{DrawnTile, Placed};
+use lanchester_bondgraph::{DrawnTile, LabelAnchor, Placed};
 
 /// A tile that is drawn, and the titles of those like it.
 pub(crate) struct Kept<'a> {
@@ -84,9 +84,9 @@ fn panel(placed: &Placed, kept: &Kept<'_>) -> Panel {
         svg.name("strong halo", place(element.kind_at), Anchor::Middle, &element.kind);
         for label in &element.labels {
             let anchor = match label.anchor {
-                "start" => Anchor::Start,
-                "end" => Anchor::End,
-                _ => Anchor::Middle,
+                LabelAnchor::Start => Anchor::Start,
+                LabelAnchor::Middle => Anchor::Middle,
+                LabelAnchor::End => Anchor::End,
             };
             match label.is_value {
                 true => svg.text("muted small halo", place(label.at), anchor, &label.text),
