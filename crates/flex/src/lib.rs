@@ -24,6 +24,7 @@ pub mod richardson;
 pub mod sparse;
 pub mod statics;
 pub mod submodel;
+pub mod throw_stress;
 pub mod train;
 pub mod vtu;
 

@@ -12,10 +12,12 @@ pub(crate) mod own_mesh;
 pub(crate) mod reduce;
 pub(crate) mod request;
 pub(crate) mod rule;
+pub(crate) mod rule_elements;
 pub(crate) mod rule_torsion;
 pub(crate) mod run;
 pub(crate) mod submodel;
 pub(crate) mod surface;
+pub(crate) mod throw_shape;
 pub(crate) mod throws;
 pub(crate) mod unit_fields;
 
@@ -32,6 +34,7 @@ pub use request::{
     support_words,
 };
 pub use rule::{CrankRuleError, RuleRequest, crank_rule};
+pub use rule_elements::with_element_factors;
 pub use rule_torsion::{RuleTorsionError, crank_rule_with_torsion};
 pub use run::{crank_modes, static_stress};
 pub use surface::{

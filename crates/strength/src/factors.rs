@@ -55,6 +55,21 @@ pub struct RuleFactors {
     pub beta_t: Factor,
 }
 
+/// Values of the factors of the two fillets of a web [1].
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
+pub struct FactorValues {
+    /// Pin fillet, bending.
+    pub alpha_b: f64,
+    /// Pin fillet, torsion.
+    pub alpha_t: f64,
+    /// Journal fillet, bending.
+    pub beta_b: f64,
+    /// Journal fillet, radial force.
+    pub beta_q: f64,
+    /// Journal fillet, torsion.
+    pub beta_t: f64,
+}
+
 /// Factors of an oil bore [1].
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct OilFactors {
@@ -129,6 +144,19 @@ impl RuleFactors {
                 ("f(recess)", recess),
             ]),
             beta_t: torsion(ratios.r_journal),
+        }
+    }
+}
+
+impl RuleFactors {
+    /// The factors without their parts.
+    pub fn values(&self) -> FactorValues {
+        FactorValues {
+            alpha_b: self.alpha_b.value,
+            alpha_t: self.alpha_t.value,
+            beta_b: self.beta_b.value,
+            beta_q: self.beta_q.value,
+            beta_t: self.beta_t.value,
         }
     }
 }

@@ -15,6 +15,7 @@
 
 mod circle;
 mod crank_throws;
+mod element_factors;
 mod error;
 mod factors;
 mod fatigue_strength;
@@ -26,8 +27,9 @@ mod sheet;
 
 pub use circle::{Circle, smallest_circle};
 pub use crank_throws::{RuleThrow, rule_throws};
+pub use element_factors::FilletStresses;
 pub use error::{Need, StrengthError};
-pub use factors::{Factor, FactorPart, OilFactors, RuleFactors};
+pub use factors::{Factor, FactorPart, FactorValues, OilFactors, RuleFactors};
 pub use fatigue_strength::{fatigue_strength, oil_bore_radius};
 pub use findley::{
     CriticalPlane, FatigueLimits, Findley, LimitsError, PointFatigue, StressState, static_safety, von_mises,
@@ -36,6 +38,6 @@ pub use nominal::{NominalBore, NominalWeb, alternation};
 pub use ratios::{RangeBreach, SectionRatios};
 pub use section::WebSection;
 pub use sheet::{
-    ACCEPTABLE, ADDITIONAL, BoreSheet, FilletSheet, RULE_WORDS, RuleMaterial, ThrowLoad, ThrowSheet,
-    WebSheet, rule_sheet,
+    ACCEPTABLE, ADDITIONAL, BoreSheet, ElementWeb, FilletSheet, RULE_WORDS, RuleMaterial, ThrowLoad,
+    ThrowSheet, WebSheet, rule_sheet,
 };

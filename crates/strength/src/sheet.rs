@@ -2,7 +2,7 @@
 
 use crate::crank_throws::RuleThrow;
 use crate::error::StrengthError;
-use crate::factors::{OilFactors, RuleFactors};
+use crate::factors::{FactorValues, OilFactors, RuleFactors};
 use crate::fatigue_strength::{fatigue_strength, oil_bore_radius};
 use crate::nominal::{NominalBore, NominalWeb, alternation};
 use crate::ratios::{RangeBreach, SectionRatios};
@@ -70,6 +70,17 @@ pub struct BoreSheet {
     pub stress: Option<FilletSheet>,
 }
 
+/// A web by finite elements.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
+pub struct ElementWeb {
+    /// Its factors.
+    pub factors: FactorValues,
+    /// The pin's fillet.
+    pub pin_fillet: FilletSheet,
+    /// The journal's fillet.
+    pub journal_fillet: FilletSheet,
+}
+
 /// A web with its two fillets.
 #[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct WebSheet {
@@ -91,6 +102,20 @@ pub struct WebSheet {
     pub pin_fillet: Option<FilletSheet>,
     /// The journal's fillet.
     pub journal_fillet: Option<FilletSheet>,
+    /// Both by finite elements, where they were asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub by_elements: Option<ElementWeb>,
+}
+
+impl WebSheet {
+    /// The sheets of its pin's and its journal's fillet: by the formulas, or by finite elements where a ratio lies outside their range.
+    pub fn judged(&self) -> [Option<FilletSheet>; 2] {
+        let other = self.by_elements;
+        [
+            self.pin_fillet.or(other.map(|own| own.pin_fillet)),
+            self.journal_fillet.or(other.map(|own| own.journal_fillet)),
+        ]
+    }
 }
 
 /// A throw.
@@ -115,22 +140,51 @@ pub struct ThrowSheet {
 }
 
 impl ThrowSheet {
+    /// The same sheet with the factors of its webs by finite elements beside those of the formulas.
+    #[must_use]
+    pub fn with_elements(mut self, factors: [FactorValues; 2], material: RuleMaterial) -> ThrowSheet {
+        for (web, factors) in self.webs.iter_mut().zip(factors) {
+            let [pin_fillet, journal_fillet] = fillet_sheets(&web.section, &web.nominal, factors, material);
+            web.by_elements = Some(ElementWeb { factors, pin_fillet, journal_fillet });
+        }
+        self
+    }
+
     /// All places that have a safety: words and safety.
     pub fn safeties(&self) -> impl Iterator<Item = (String, f64)> + '_ {
         let of_web = |web: &WebSheet| {
-            let pin =
-                web.pin_fillet.map(|own| (format!("pin {} at web {}", self.throw, web.web), own.safety));
-            let journal = web
-                .journal_fillet
-                .map(|own| (format!("journal {} at web {}", web.journal, web.web), own.safety));
-            [pin, journal]
+            let [pin, journal] = web.judged();
+            [
+                pin.map(|own| (format!("pin {} at web {}", self.throw, web.web), own.safety)),
+                journal.map(|own| (format!("journal {} at web {}", web.journal, web.web), own.safety)),
+            ]
         };
         let bore = self.bore.as_ref().and_then(|bore| bore.stress);
         let bore = bore.map(|own| (format!("oil bore of pin {}", self.throw), own.safety));
         self.webs.iter().flat_map(of_web).chain([bore]).flatten()
     }
 
-    /// What cannot be judged, and why.
+    /// Safety of all fillets with their factors by finite elements; nothing without them.
+    pub fn safeties_by_elements(&self) -> impl Iterator<Item = (String, f64)> + '_ {
+        let of_web = |web: &WebSheet| {
+            let own = web.by_elements?;
+            Some([
+                (format!("pin {} at web {}", self.throw, web.web), own.pin_fillet.safety),
+                (format!("journal {} at web {}", web.journal, web.web), own.journal_fillet.safety),
+            ])
+        };
+        self.webs.iter().filter_map(of_web).flatten()
+    }
+
+    /// What neither the formulas nor finite elements judge, and why.
+    pub fn unjudged(&self) -> impl Iterator<Item = (String, RangeBreach)> + '_ {
+        let by_elements = |place: &String| {
+            self.webs.iter().any(|web| web.by_elements.is_some() && *place == format!("web {}", web.web))
+        };
+        self.breaches().filter(move |(place, _)| !by_elements(place))
+    }
+
+    /// What the formulas cannot judge, and why: webs that finite elements judge instead among them.
     pub fn breaches(&self) -> impl Iterator<Item = (String, RangeBreach)> + '_ {
         let of_web = |web: &'_ WebSheet| {
             let place = format!("web {}", web.web);
@@ -205,30 +259,8 @@ fn web_sheet(throw: &RuleThrow, side: usize, nominal: NominalWeb, material: Rule
     let ratios = section.ratios();
     let breaches = ratios.breaches();
     let factors = breaches.is_empty().then(|| RuleFactors::new(&ratios));
-    let RuleMaterial { tensile_strength, forging } = material;
-    let fillet = |bending: f64, torsion: f64, diameter: f64, radius: f64| {
-        let bending = bending + ADDITIONAL;
-        // (49.10)
-        let equivalent = (bending * bending + 3.0 * torsion * torsion).sqrt();
-        let strength = fatigue_strength(forging, tensile_strength, diameter, radius);
-        FilletSheet { bending, torsion, equivalent, strength, safety: strength / equivalent }
-    };
-    let pin_fillet = factors.as_ref().map(|own| {
-        fillet(
-            own.alpha_b.value * nominal.sigma_b,
-            own.alpha_t.value * nominal.pin_tau,
-            section.pin_diameter,
-            section.pin_fillet,
-        )
-    });
-    let journal_fillet = factors.as_ref().map(|own| {
-        fillet(
-            own.beta_b.value * nominal.sigma_b + own.beta_q.value * nominal.sigma_q,
-            own.beta_t.value * nominal.journal_tau,
-            section.journal_diameter,
-            section.journal_fillet,
-        )
-    });
+    let fillets = factors.as_ref().map(|own| fillet_sheets(&section, &nominal, own.values(), material));
+    let [pin_fillet, journal_fillet] = [0, 1].map(|end| fillets.map(|own| own[end]));
     WebSheet {
         web: throw.web_numbers[side],
         journal: throw.journals[side],
@@ -239,7 +271,42 @@ fn web_sheet(throw: &RuleThrow, side: usize, nominal: NominalWeb, material: Rule
         factors,
         pin_fillet,
         journal_fillet,
+        by_elements: None,
     }
+}
+
+/// The pin's and the journal's fillet of a web from its nominal stresses and factors.
+///
+/// ```text
+/// sigma_v = sqrt(sigma^2 + 3 tau^2)        sigma: bending with the additional stress                                       (49.10)
+/// ```
+pub(crate) fn fillet_sheets(
+    section: &WebSection,
+    nominal: &NominalWeb,
+    factors: FactorValues,
+    material: RuleMaterial,
+) -> [FilletSheet; 2] {
+    let RuleMaterial { tensile_strength, forging } = material;
+    let fillet = |bending: f64, torsion: f64, diameter: f64, radius: f64| {
+        let bending = bending + ADDITIONAL;
+        let equivalent = (bending * bending + 3.0 * torsion * torsion).sqrt();
+        let strength = fatigue_strength(forging, tensile_strength, diameter, radius);
+        FilletSheet { bending, torsion, equivalent, strength, safety: strength / equivalent }
+    };
+    [
+        fillet(
+            factors.alpha_b * nominal.sigma_b,
+            factors.alpha_t * nominal.pin_tau,
+            section.pin_diameter,
+            section.pin_fillet,
+        ),
+        fillet(
+            factors.beta_b * nominal.sigma_b + factors.beta_q * nominal.sigma_q,
+            factors.beta_t * nominal.journal_tau,
+            section.journal_diameter,
+            section.journal_fillet,
+        ),
+    ]
 }
 
 /// ```text

@@ -67,7 +67,7 @@ pub enum StressCommand {
     /// Strength by the formulas of IACS UR M53, throw by throw: fillets and oil bores with their safety; exit status 1 where it is below 1.15.
     #[command(
         after_help = "Examples:\n  lanchester stress rule four.toml\n  lanchester stress rule four.toml --speed '6000 rpm' --torsional-vibration '150 N m'\n  \
-                            lanchester stress rule four.toml --with-torsion\n  lanchester stress rule four.toml --torsional-vibration '90 N m, 110 N m, 130 N m, 140 N m' --format csv > rule.csv\n\n\
+                            lanchester stress rule four.toml --with-torsion\n  lanchester stress rule four.toml --finite-elements\n  lanchester stress rule four.toml --torsional-vibration '90 N m, 110 N m, 130 N m, 140 N m' --format csv > rule.csv\n\n\
                             Formulas after UR M53, not compared with the printed rule. Every ratio is held to the range of the formulas."
     )]
     Rule(RuleArguments),
@@ -393,6 +393,15 @@ pub struct RuleArguments {
     /// Take the torsional vibration from the chain of `torsion` at each speed. Needs what `torsion` needs.
     #[arg(long, conflicts_with = "torsional_vibration")]
     pub with_torsion: bool,
+    /// Stress concentration factors by finite elements beside those of the formulas: each throw meshed and solved, some seconds each.
+    #[arg(long)]
+    pub finite_elements: bool,
+    /// With --finite-elements: size of the elements away from fillets, with its unit; default that of [crank.mesh], else 8 mm.
+    #[arg(long, value_name = "LENGTH", requires = "finite_elements")]
+    pub size: Option<String>,
+    /// With --finite-elements: elements across the 90 deg of a fillet, an even number from 6 on.
+    #[arg(long, value_name = "N", requires = "finite_elements")]
+    pub fillet_elements: Option<usize>,
     /// Leave out the gas of the file.
     #[arg(long)]
     pub inertia_only: bool,

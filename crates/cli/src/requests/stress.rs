@@ -133,6 +133,14 @@ pub fn rule_request(own: &RuleArguments) -> Result<RuleRequest, Failure> {
     })
 }
 
+/// How fine the throws are meshed for factors by finite elements.
+pub fn rule_mesh(own: &RuleArguments, file: &EngineFile) -> Result<StressMesh, Failure> {
+    let size = own.size.as_deref().map(|text| option::length(text, "--size")).transpose()?;
+    let usual = CrankMeshOptions::default();
+    let asked = own.fillet_elements;
+    Ok(StressMesh::of(file.tasks.stress.as_ref(), crankshaft(own.crankshaft)?, size, asked, usual))
+}
+
 /// How to solve.
 pub fn solve_options(own: &MeshArguments) -> Result<SolveOptions, Failure> {
     let precision = if own.double { Precision::Double } else { Precision::Single };

@@ -44,7 +44,7 @@ const ANSWERS_NO: [&str; 1] = ["lanchester stress rule four.toml --with-torsion"
 
 /// Whether an example is one of those; what is quick of them runs here.
 fn runs_elsewhere(example: &str) -> bool {
-    let is_rule = example.starts_with("lanchester stress rule ");
+    let is_rule = example.starts_with("lanchester stress rule ") && !example.contains(" --finite-elements");
     // Filters of the published numbers and what the studio prints and ends with are quick.
     let is_quick = example.starts_with("lanchester studio --describe")
         || example.starts_with("lanchester validate twin");

@@ -209,6 +209,19 @@ pub enum StressError {
         /// Its name in the engine file.
         name: String,
     },
+    /// Sizes of the sheet after UR M53.
+    #[error(transparent)]
+    Strength(#[from] lanchester_strength::StrengthError),
+    /// A mesh on which factors are none.
+    #[error(
+        "stress concentration factors need {needed} or more elements across a fillet, got {got}\nhint: the rule's appendix accepts no fewer: ask for {needed}"
+    )]
+    CoarseFactors {
+        /// How many at least.
+        needed: usize,
+        /// How many were asked for.
+        got: usize,
+    },
     /// A submodel of a mesh that is not ours.
     #[error(
         "a submodel is cut from a mesh of [crank.body], and {name} of [crank.mesh] is one of another program\nhint: give a size of the elements, which meshes [crank.body] instead"

@@ -156,6 +156,7 @@ pub(crate) fn crank_rule_of_size(
         acceptable: lanchester_strength::ACCEPTABLE,
         gas: source,
         speeds: sheets,
+        by_elements: Vec::new(),
         notes: notes(engine, request),
     })
 }

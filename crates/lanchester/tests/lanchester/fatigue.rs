@@ -1,10 +1,14 @@
 //! Fatigue of a crankshaft: superposition of unit loads against loads solved one by one.
 
-use lanchester::flex::crank_mesh::CrankMeshOptions;
+use lanchester::flex::crank_mesh::{CrankMeshOptions, crank_mesh_of_bay};
+use lanchester::flex::statics::SolveOptions;
+use lanchester::flex::throw_stress::{ThrowSupports, throw_stress};
 use lanchester::model::Engine;
+use lanchester::report::rule_text;
+use lanchester::strength::{FilletStresses, RangeBreach, RuleFactors, RuleMaterial, rule_throws};
 use lanchester::{
-    FatigueRequest, RuleRequest, StaticRequest, StressLoad, StressMesh, crank_fatigue, crank_rule,
-    static_stress,
+    FatigueRequest, RuleRequest, StaticRequest, StressError, StressLoad, StressMesh, crank_fatigue,
+    crank_rule, static_stress, with_element_factors,
 };
 
 const FILE: &str = r#"
@@ -86,4 +90,80 @@ fn the_sheet_follows_speed_squared_under_inertia_alone() {
         assert!((fast / slow - 4.0).abs() < 1e-9, "{slow} {fast}");
     }
     assert!(found.gas.is_none() && found.is_accepted());
+}
+
+#[test]
+fn factors_by_elements_stand_near_those_of_the_formulas() {
+    let engine = engine();
+    let options = CrankMeshOptions { size: 14e-3, fillet_elements: 4, ..CrankMeshOptions::default() };
+    let bay = crank_mesh_of_bay(&engine, 0, options, 1).unwrap();
+    let throws = rule_throws(&engine, 0).unwrap();
+    let supports = ThrowSupports { pin: 1, mains: throws[0].mains };
+    let found = throw_stress(&bay, supports, SolveOptions::default(), &|_| ()).unwrap();
+    assert!((found.front_share - 0.5).abs() < 1e-6, "the throw is symmetric: {}", found.front_share);
+    let names: Vec<&str> = found.fillets.iter().map(|own| own.name.as_str()).collect();
+    assert_eq!(names, ["journal 1 at web 1", "pin 1 at web 1", "pin 1 at web 2", "journal 2 at web 2"]);
+    let [journal, pin, ..] = found.fillets.as_slice() else { panic!("four fillets") };
+    // A symmetric throw has the same stress at both webs but for its mesh, which is none.
+    for (front, rear) in [(pin, &found.fillets[2]), (journal, &found.fillets[3])] {
+        for (a, b) in
+            [(front.bending, rear.bending), (front.force, rear.force), (front.torsion, rear.torsion)]
+        {
+            assert!((a / b - 1.0).abs() < 0.02, "{front:?} {rear:?}");
+        }
+    }
+    let stresses = FilletStresses {
+        pin_bending: pin.bending,
+        journal_bending: journal.bending,
+        journal_force: journal.force,
+        pin_torsion: pin.torsion,
+        journal_torsion: journal.torsion,
+    };
+    let own = stresses.factors(&throws[0], 0);
+    let rule = RuleFactors::new(&throws[0].sections[0].ratios()).values();
+    // The pin's formulas were fitted to measurements of such throws; those of the journal lie on the safe side in bending and leave a thicker journal out in
+    // torsion.
+    let off = |own: f64, rule: f64| own / rule - 1.0;
+    assert!(off(own.alpha_b, rule.alpha_b).abs() < 0.08, "{own:?} {rule:?}");
+    assert!(off(own.alpha_t, rule.alpha_t).abs() < 0.08, "{own:?} {rule:?}");
+    assert!((-0.25..0.0).contains(&off(own.beta_b, rule.beta_b)), "{own:?} {rule:?}");
+    assert!((0.0..0.3).contains(&off(own.beta_t, rule.beta_t)), "{own:?} {rule:?}");
+    assert!(own.beta_q > 0.0 && own.beta_q < rule.beta_q, "{own:?} {rule:?}");
+}
+
+#[test]
+fn a_web_outside_the_range_is_judged_by_its_factors_by_elements() {
+    let engine = engine();
+    let mut rule = crank_rule(&engine, &[], &RuleRequest::default()).unwrap();
+    let material =
+        RuleMaterial { tensile_strength: rule.tensile_strength.value, forging: rule.forging.value };
+    let own = rule.speeds[0].throws[0].clone();
+    let factors = own.webs.each_ref().map(|web| web.factors.as_ref().unwrap().values());
+    // The factors of the formulas, taken as those by elements, give the safeties of the formulas.
+    let both = own.with_elements(factors, material);
+    let by_formulas: Vec<_> = both.safeties().collect();
+    assert_eq!(both.safeties_by_elements().collect::<Vec<_>>(), by_formulas);
+    // Without formulas they alone judge, and nothing is left without a verdict.
+    let mut outside = both.clone();
+    let breach = RangeBreach { ratio: "b = B/D", value: 3.0, range: [1.1, 2.2] };
+    for web in &mut outside.webs {
+        (web.factors, web.pin_fillet, web.journal_fillet) = (None, None, None);
+        web.breaches = vec![breach];
+    }
+    assert_eq!(outside.safeties().collect::<Vec<_>>(), by_formulas);
+    assert_eq!((outside.breaches().count(), outside.unjudged().count()), (2, 0));
+    outside.webs[1].by_elements = None;
+    assert_eq!(outside.unjudged().map(|(place, _)| place).collect::<Vec<_>>(), ["web 2"]);
+    rule.speeds[0].throws[0] = outside;
+    assert!(!rule.is_accepted());
+    assert!(rule_text(&rule).contains("Web 1: "), "{}", rule_text(&rule));
+}
+
+#[test]
+fn factors_on_too_few_elements_are_refused() {
+    let engine = engine();
+    let rule = crank_rule(&engine, &[], &RuleRequest::default()).unwrap();
+    let mesh = StressMesh::of(None, 0, None, Some(4), CrankMeshOptions::default());
+    let refused = with_element_factors(&engine, rule, &mesh, SolveOptions::default(), &|_| ()).unwrap_err();
+    assert_eq!(refused, StressError::CoarseFactors { needed: 6, got: 4 });
 }

@@ -1038,11 +1038,16 @@ class Engine:
         speed: Quantities = (),
         gas: bool = True,
         torsional_vibration: Quantities = (),
+        finite_elements: bool = False,
         crankshaft: int = 0,
+        size: Quantity | None = None,
+        fillet_elements: int | None = None,
     ) -> CrankRule:
         """Strength by the formulas of IACS UR M53, throw by throw.
 
-        `torsional_vibration`: amplitude of the torque [N m], one for all throws or one for each.
+        `torsional_vibration`: amplitude of the torque [N m], one for all throws or one for each. `finite_elements`: stress concentration factors by
+        finite elements beside those of the formulas, each throw meshed with elements of `size` [m] and `fillet_elements` across a fillet, an even
+        number from 6 on.
 
         >>> import lanchester
         >>> try:
@@ -1055,7 +1060,10 @@ class Engine:
             "speed": speed,
             "gas": gas,
             "torsional_vibration": torsional_vibration,
+            "finite_elements": finite_elements,
             "crankshaft": crankshaft,
+            "size": size,
+            "fillet_elements": fillet_elements,
         }
         return self._ask("stress_rule", CrankRule, options)
 

@@ -18,7 +18,7 @@ use lanchester::report::{
 use lanchester::{
     CounterweightCheck, CounterweightDesigns, CounterweightRequest, FatigueRequest, ModesRequest,
     RuleRequest, StaticRequest, StressLoad, StressMesh, SubmodelRequest, check_counterweights, crank_fatigue,
-    crank_modes, crank_rule, design_counterweights, static_stress, with_counterweights,
+    crank_modes, crank_rule, design_counterweights, static_stress, with_counterweights, with_element_factors,
 };
 use std::sync::Arc;
 
@@ -233,10 +233,19 @@ fn read_rule(options: &Options<'_>) -> Result<Run, Failure> {
         gas: options.flag("gas")?.unwrap_or(true),
         vibration: options.torques("torsional_vibration")?,
     };
+    let by_elements = options.flag("finite_elements")?.unwrap_or(false);
+    let mesh = AskedMesh::read(options)?;
     Ok(Box::new(move |engines, _| {
         let own = &engines[0];
         let traces = if request.gas { own.traces()? } else { &[] };
         let found = crank_rule(own.engine(), traces, &request).map_err(Failure::refused)?;
+        let found = match by_elements {
+            true => {
+                with_element_factors(own.engine(), found, &mesh.of(own, 6)?, SolveOptions::default(), &|_| ())
+                    .map_err(Failure::refused)?
+            }
+            false => found,
+        };
         Ok(Data::new(found, own, Shown { text: |found, _| rule_text(found), ..Shown::default() }))
     }))
 }

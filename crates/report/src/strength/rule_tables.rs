@@ -1,15 +1,25 @@
 //! Tables of the sheet: results first, then every number between sizes and safety.
 
-use super::rule::{CrankRule, SpeedSheet};
+use super::rule::{CrankRule, SpeedSheet, ThrowMesh};
 use crate::kit::number;
 use crate::kit::table::{Cell, Column, Table, csv_number, numbers, push_csv_line, words};
-use lanchester_strength::{Factor, FilletSheet, RuleFactors, ThrowSheet, WebSheet};
+use lanchester_strength::{Factor, FactorValues, FilletSheet, RuleFactors, ThrowSheet, WebSheet};
 
 /// A place with what the sheet says of it.
 struct Place {
     name: String,
     torque: f64,
+    /// By the formulas.
     stress: Option<FilletSheet>,
+    /// By finite elements.
+    by_elements: Option<FilletSheet>,
+}
+
+impl Place {
+    /// What counts: the formulas, and finite elements outside their range.
+    fn judged(&self) -> Option<FilletSheet> {
+        self.stress.or(self.by_elements)
+    }
 }
 
 fn places(throw: &ThrowSheet) -> Vec<Place> {
@@ -19,16 +29,19 @@ fn places(throw: &ThrowSheet) -> Vec<Place> {
             name: format!("pin {} at web {}", throw.throw, web.web),
             torque: web.nominal.pin_torque,
             stress: web.pin_fillet,
+            by_elements: web.by_elements.map(|own| own.pin_fillet),
         });
         places.push(Place {
             name: format!("journal {} at web {}", web.journal, web.web),
             torque: web.nominal.journal_torque,
             stress: web.journal_fillet,
+            by_elements: web.by_elements.map(|own| own.journal_fillet),
         });
     }
     if let Some(bore) = &throw.bore {
         let torque = throw.webs[0].nominal.pin_torque;
-        places.push(Place { name: format!("oil bore of pin {}", throw.throw), torque, stress: bore.stress });
+        let name = format!("oil bore of pin {}", throw.throw);
+        places.push(Place { name, torque, stress: bore.stress, by_elements: None });
     }
     places
 }
@@ -44,6 +57,9 @@ impl CrankRule {
         }
         tables.extend([throws_table(sheet), nominal_table(&webs), sizes_table(&webs), ratios_table(&webs)]);
         tables.push(factors_table(&webs));
+        if !self.by_elements.is_empty() {
+            tables.extend([element_factors_table(&webs), self.meshes_table()]);
+        }
         tables.extend(FACTORS.iter().filter_map(|part| parts_table(&webs, *part)));
         tables.extend(bores_table(sheet));
         tables
@@ -59,11 +75,26 @@ impl CrankRule {
         let column = |head: &str, unit, of: fn(&FilletSheet) -> f64, digits| {
             (Column::numbers(head, unit), stress(of, digits).collect::<Vec<_>>())
         };
-        let verdict = |place: &Place| match place.stress {
+        let verdict = |place: &Place| match place.judged() {
             None => "not judged".to_owned(),
             Some(own) if own.safety < self.acceptable => "below the rule".to_owned(),
             Some(_) => String::new(),
         };
+        let mut columns = vec![
+            words("place", all.iter().map(|place| place.name.clone())),
+            column("bending", "MPa", |own| 1e-6 * own.bending, 4),
+            column("torsion", "MPa", |own| 1e-6 * own.torsion, 4),
+            column("equivalent", "MPa", |own| 1e-6 * own.equivalent, 4),
+            column("strength", "MPa", |own| 1e-6 * own.strength, 5),
+            column("Q", "1", |own| own.safety, 3),
+        ];
+        if !self.by_elements.is_empty() {
+            let safety = all
+                .iter()
+                .map(|place| place.by_elements.map_or(Cell::Empty, |own| Cell::number(own.safety, 3)));
+            columns.push((Column::numbers("Q by elements", "1"), safety.collect()));
+        }
+        columns.push(words("verdict", all.iter().map(verdict)));
         Table::of_columns(
             "strength-safety",
             format!("Safety at {} rpm", number::terminal(number::rpm(sheet.speed), 0)),
@@ -73,14 +104,27 @@ impl CrankRule {
                 number::trimmed(1e-6 * lanchester_strength::ADDITIONAL, 3),
                 number::trimmed(self.acceptable, 4)
             ),
+            columns,
+        )
+    }
+
+    fn meshes_table(&self) -> Table {
+        let meshes = &self.by_elements;
+        let column = |head: &str, unit, digits, of: fn(&ThrowMesh) -> f64| {
+            numbers(head, unit, meshes.iter().map(of), digits)
+        };
+        Table::of_columns(
+            "strength-meshes",
+            "Meshes of the throws",
+            "From the middle of one main journal to that of the next, end faces rigid. Jump: difference of the stress between elements over the stress where fillets are loaded \
+             most, a sign of the error.",
             vec![
-                words("place", all.iter().map(|place| place.name.clone())),
-                column("bending", "MPa", |own| 1e-6 * own.bending, 4),
-                column("torsion", "MPa", |own| 1e-6 * own.torsion, 4),
-                column("equivalent", "MPa", |own| 1e-6 * own.equivalent, 4),
-                column("strength", "MPa", |own| 1e-6 * own.strength, 5),
-                column("Q", "1", |own| own.safety, 3),
-                words("verdict", all.iter().map(verdict)),
+                words("throw", meshes.iter().map(|mesh| mesh.throw.to_string())),
+                column("nodes", "1", 6, |mesh| mesh.nodes as f64),
+                column("size", "mm", 3, |mesh| 1e3 * mesh.size),
+                column("across a fillet", "1", 2, |mesh| mesh.fillet_elements as f64),
+                column("least Jacobian", "1", 2, |mesh| mesh.least_jacobian),
+                column("jump", "%", 2, |mesh| 100.0 * mesh.jump),
             ],
         )
     }
@@ -229,6 +273,43 @@ fn factors_table(webs: &[&WebSheet]) -> Table {
     )
 }
 
+/// A factor in words, and where it stands among those by finite elements.
+type ElementFactor = (&'static str, fn(&FactorValues) -> f64);
+
+const ELEMENT_FACTORS: [ElementFactor; 5] = [
+    ("alpha_B", |own| own.alpha_b),
+    ("alpha_T", |own| own.alpha_t),
+    ("beta_B", |own| own.beta_b),
+    ("beta_Q", |own| own.beta_q),
+    ("beta_T", |own| own.beta_t),
+];
+
+/// Factors by finite elements, each with what it differs from that of the formulas.
+fn element_factors_table(webs: &[&WebSheet]) -> Table {
+    let mut columns = vec![words("web", webs.iter().map(|web| web.web.to_string()))];
+    for (name, of) in ELEMENT_FACTORS {
+        let value = |web: &WebSheet| web.by_elements.map(|own| of(&own.factors));
+        let cells = webs
+            .iter()
+            .map(|web| value(web).map_or(Cell::Empty, |value| Cell::Number { value, decimals: 4 }));
+        columns.push((Column::numbers(name, "1"), cells.collect()));
+        let off = webs.iter().map(|web| {
+            let both = value(web).zip(web.factors.as_ref().map(|own| of(&own.values())));
+            both.map_or(Cell::Empty, |(value, rule)| Cell::Number {
+                value: 100.0 * (value / rule - 1.0),
+                decimals: 0,
+            })
+        });
+        columns.push((Column::numbers("off", "%"), off.collect()));
+    }
+    Table::of_columns(
+        "strength-element-factors",
+        "Stress concentration factors by finite elements",
+        "Largest stress of a fillet over the nominal one of the formulas, and what it differs from their factor.",
+        columns,
+    )
+}
+
 /// What a factor is the product of; `None` where no web has it.
 fn parts_table(webs: &[&WebSheet], (id, name, of): NamedFactor) -> Option<Table> {
     let judged: Vec<(usize, &Factor)> =
@@ -289,6 +370,7 @@ pub fn rule_csv(rule: &CrankRule) -> String {
         "equivalent [MPa]",
         "strength [MPa]",
         "safety",
+        "safety by finite elements",
         "outside the range",
     ];
     push_csv_line(&mut out, head.map(str::to_owned));
@@ -313,6 +395,7 @@ pub fn rule_csv(rule: &CrankRule) -> String {
                     stress(|own| 1e-6 * own.equivalent),
                     stress(|own| 1e-6 * own.strength),
                     stress(|own| own.safety),
+                    place.by_elements.map_or(String::new(), |own| csv_number(own.safety)),
                     outside.join("; "),
                 ];
                 push_csv_line(&mut out, line);

@@ -14,7 +14,7 @@ use crate::options::stress::{
     SolveArguments, StaticArguments, StressArguments, StressCommand,
 };
 use crate::requests::stress::{
-    fatigue_request, memory, mesh, rule_request, solve_options, static_request, support,
+    fatigue_request, memory, mesh, rule_mesh, rule_request, solve_options, static_request, support,
 };
 use crate::trace_files::trace_files;
 use lanchester::flex::crank_case::CrankSupport;
@@ -29,7 +29,7 @@ use lanchester::report::{
 use lanchester::{
     ModesRequest, StaticRequest, SubmodelRequest, case_deck, case_glb, case_stl, case_vtu, cases_pvd,
     converged_modes, converged_stress, crank_fatigue, crank_modes, crank_rule, crank_rule_with_torsion,
-    modes_deck, modes_glb, modes_vtu, reduced_crank, solve_deck, static_stress,
+    modes_deck, modes_glb, modes_vtu, reduced_crank, solve_deck, static_stress, with_element_factors,
 };
 use std::path::Path;
 
@@ -244,6 +244,14 @@ fn rule(arguments: &RuleArguments, colour: bool) -> Result<u8, Failure> {
     let found = match arguments.with_torsion {
         true => crank_rule_with_torsion(&opened.file, &traces, &request).map_err(Failure::refused)?,
         false => crank_rule(engine, &traces, &request).map_err(Failure::refused)?,
+    };
+    let found = match arguments.finite_elements {
+        true => {
+            let mesh = rule_mesh(arguments, &opened.file)?;
+            with_element_factors(engine, found, &mesh, SolveOptions::default(), &say)
+                .map_err(Failure::refused)?
+        }
+        false => found,
     };
     print(&match arguments.format {
         Format::Text => arguments.printed.text(|| rule_text(&found), || rule_brief(&found)),
