@@ -47,7 +47,7 @@ pub struct DirectRequest<'a> {
     pub cycle: &'a JournalCycle,
     /// Angle of the shell at every instant of the load [rad]; empty: it does not turn.
     pub shell: &'a [f64],
-    /// Grooves and holes, in the shell's frame.
+    /// FilmMethod and holes, in the shell's frame.
     pub feeds: &'a [Feed],
     /// Composite roughness [m], 0: no contact.
     pub roughness: f64,
@@ -314,6 +314,7 @@ impl<'a> DirectOrbit<'a> {
             least_film: clearance * (1.0 - length(orbit[least])),
             least_film_at: least as f64 / n as f64,
             least_film_angle: orbit[least][1].atan2(orbit[least][0]),
+            least_edge_film: None,
             largest_pressure: films.pressure,
             largest_pressure_at: films.pressure_at as f64 / n as f64,
             friction_power: films.power / n as f64,

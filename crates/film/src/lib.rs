@@ -27,6 +27,7 @@ mod orbit;
 mod plane;
 mod problem;
 mod separable;
+mod shaft;
 mod sheet;
 mod short;
 mod solution;
@@ -48,7 +49,10 @@ pub use orbit::{
 };
 pub use plane::Plane;
 pub use problem::{Feed, FilmProblem};
-pub use sheet::{BearingFilm, BearingFilmRequest, BearingKind, FilmOil, FilmSource, bearing_film};
+pub use shaft::{FloatingShaft, ShaftJournal, ShaftOrbits, ShaftRequest};
+pub use sheet::{
+    BearingFilm, BearingFilmRequest, BearingKind, FilmOil, FilmSource, ShaftBody, bearing_film, shaft_films,
+};
 pub use short::{ocvirk_load, short_bearing_force};
 pub use solution::{FilmSolution, attitude};
 pub use solver::FilmSolver;

@@ -23,6 +23,11 @@ const REPEATS: f64 = 1e-3;
 const INSTANTS: usize = 120;
 /// Films of these: cells around and along half the length.
 const CELLS: (usize, usize) = (120, 12);
+/// Instants and cells, around and along the whole length, of a journal whose axis is tilted.
+const TILTED_INSTANTS: usize = 40;
+const TILTED_CELLS: (usize, usize) = (96, 16);
+/// Eccentricity ratio at an end from which on a tilted journal touches there.
+const TOUCHES: f64 = 0.9995;
 
 /// What acts on a journal over one period, at equally spaced instants from 0, the end excluded, in a frame that does not turn.
 #[derive(Debug, Clone, PartialEq)]
@@ -83,6 +88,9 @@ pub struct FilmOrbit {
     pub least_film_at: f64,
     /// Direction of the least film [rad].
     pub least_film_angle: f64,
+    /// Least film at an end of the bearing [m], where the journal's axis is tilted; below 0 where that end would touch. `None`: parallel axes.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub least_edge_film: Option<f64>,
     /// Largest film pressure [Pa] and its instant over the period.
     pub largest_pressure: f64,
     /// Instant of the largest pressure, over the period.
@@ -195,7 +203,18 @@ impl System for Orbit<'_> {
 /// [`FilmError`] for a bearing or viscosity out of range, a table of another length, a load of fewer than 16 samples, no speed at all.
 pub fn journal_orbit(request: &OrbitRequest) -> Result<FilmOrbit, FilmError> {
     let Traced { system, orbit, outcome, periods, change, steps } = trace(request)?;
-    let mut found = films(&system, &orbit)?;
+    let mut found = match request.mass {
+        None => films(&system, &orbit, Along::QuasiStatic)?,
+        Some(_) => {
+            let (n, step) = (orbit.len(), 2.0 * request.cycle.duration / orbit.len() as f64);
+            let velocity = |i: usize| {
+                let (before, after) = (orbit[(i + n - 1) % n], orbit[(i + 1) % n]);
+                [0, 1].map(|k| (after[k] - before[k]) / step * request.bearing.clearance)
+            };
+            let velocities: Vec<Plane> = (0..n).map(velocity).collect();
+            films(&system, &orbit, Along::Given(&velocities, None))?
+        }
+    };
     found.outcome = outcome;
     (found.periods, found.change, found.steps) = (periods, change, steps);
     Ok(found)
@@ -325,10 +344,46 @@ fn check(request: &OrbitRequest) -> Result<(), FilmError> {
     )
 }
 
+/// How a journal moves along its orbit.
+#[derive(Clone, Copy)]
+enum Along<'a> {
+    /// As the film lets it.
+    QuasiStatic,
+    /// Its velocity [m/s] and the slope of its axis [rad] at every instant, if that counts.
+    Given(&'a [Plane], Option<&'a [Plane]>),
+}
+
+/// Film along an orbit of eccentricity ratios whose velocities [m/s] are known, with the slopes of the journal's axis [rad] where they count.
+///
+/// # Errors
+/// [`FilmError`] where a film cannot be solved.
+pub(crate) fn films_along(
+    request: &OrbitRequest,
+    orbit: &[Plane],
+    velocities: &[Plane],
+    slopes: Option<&[Plane]>,
+) -> Result<FilmOrbit, FilmError> {
+    let system = Orbit { request: *request, scale: request.bearing.force_scale(request.viscosity) };
+    films(&system, orbit, Along::Given(velocities, slopes))
+}
+
 /// Film along an orbit.
-fn films(system: &Orbit, orbit: &[Plane]) -> Result<FilmOrbit, FilmError> {
+fn films(system: &Orbit, orbit: &[Plane], along: Along) -> Result<FilmOrbit, FilmError> {
     let request = &system.request;
     let (bearing, cycle) = (&request.bearing, request.cycle);
+    let slopes = match along {
+        Along::Given(_, slopes) => slopes,
+        Along::QuasiStatic => None,
+    };
+    // How much further the axis lies at the end +L/2, over the clearance.
+    let tilt = |i: usize| {
+        let slope = slopes.map_or([0.0; 2], |slopes| slopes[i]);
+        slope.map(|part| 0.5 * bearing.length * part / bearing.clearance)
+    };
+    let edge = |i: usize| {
+        let reach = [1.0, -1.0].map(|sign| length(add(orbit[i], sign, tilt(i))));
+        reach[0].max(reach[1])
+    };
     let n = orbit.len();
     let least = farthest(orbit);
     let mut found = FilmOrbit {
@@ -339,6 +394,7 @@ fn films(system: &Orbit, orbit: &[Plane]) -> Result<FilmOrbit, FilmError> {
         least_film: bearing.clearance * (1.0 - length(orbit[least])),
         least_film_at: least as f64 / n as f64,
         least_film_angle: orbit[least][1].atan2(orbit[least][0]),
+        least_edge_film: slopes.map(|_| bearing.clearance * (1.0 - (0..n).map(edge).fold(0.0, f64::max))),
         largest_pressure: 0.0,
         largest_pressure_at: 0.0,
         friction_power: 0.0,
@@ -349,20 +405,19 @@ fn films(system: &Orbit, orbit: &[Plane]) -> Result<FilmOrbit, FilmError> {
         table_error: 0.0,
         steps: 0,
     };
-    let mut instants: Vec<usize> = (0..INSTANTS.min(n)).map(|k| k * n / INSTANTS.min(n)).collect();
+    let count = if slopes.is_some() { TILTED_INSTANTS } else { INSTANTS }.min(n);
+    let mut instants: Vec<usize> = (0..count).map(|k| k * n / count).collect();
     let regular = instants.len() as f64;
     instants.push(least);
     for (k, &i) in instants.iter().enumerate() {
         let (s, at) = (i as f64 / n as f64, orbit[i]);
         let contact = system.contact(at);
-        let velocity = match request.mass {
-            None => system.quasi_static(s, at)?,
-            Some(_) => {
-                let (before, after) = (orbit[(i + n - 1) % n], orbit[(i + 1) % n]);
-                let step = 2.0 * cycle.duration / n as f64;
-                [0, 1].map(|k| (after[k] - before[k]) / step * bearing.clearance)
-            }
+        let velocity = match along {
+            Along::QuasiStatic => system.quasi_static(s, at)?,
+            Along::Given(velocities, _) => velocities[i],
         };
+        // A journal that touches at its end has no film there: parallel axes then.
+        let tilt = if edge(i) < TOUCHES { tilt(i).map(|part| part * bearing.clearance) } else { [0.0; 2] };
         let motion = JournalMotion {
             eccentricity: at.map(|part| part * bearing.clearance),
             velocity,
@@ -373,11 +428,14 @@ fn films(system: &Orbit, orbit: &[Plane]) -> Result<FilmOrbit, FilmError> {
             bearing: *bearing,
             viscosity: request.viscosity,
             motion,
-            tilt: [0.0, 0.0],
+            tilt,
             cavitation: request.table.cavitation(),
             feeds: Vec::new(),
         };
-        let grid = FilmGrid::graded(CELLS.0, CELLS.1, true, at)?;
+        let grid = match problem.is_symmetric() {
+            true => FilmGrid::graded(CELLS.0, CELLS.1, true, at)?,
+            false => FilmGrid::graded(TILTED_CELLS.0, TILTED_CELLS.1, false, at)?,
+        };
         let film = FilmSolver::new(grid)?.solve(&problem)?;
         if film.largest_pressure > found.largest_pressure {
             (found.largest_pressure, found.largest_pressure_at) = (film.largest_pressure, s);

@@ -57,7 +57,7 @@ pub struct FilmProblem {
     pub tilt: Plane,
     /// Cavitation.
     pub cavitation: Cavitation,
-    /// Grooves, holes, lines.
+    /// FilmMethod, holes, lines.
     pub feeds: Vec<Feed>,
 }
 

@@ -5,8 +5,9 @@ use crate::cavitation::Cavitation;
 use crate::direct::{DirectOrbit, DirectRequest};
 use crate::error::FilmError;
 use crate::oil::{OilCurve, temperature_rise};
-use crate::orbit::{FilmOrbit, JournalCycle, OrbitRequest, journal_orbit};
+use crate::orbit::{FilmOrbit, JournalCycle, OrbitOutcome, OrbitRequest, journal_orbit};
 use crate::problem::Feed;
+use crate::shaft::{FloatingShaft, ShaftJournal, ShaftRequest};
 use crate::table::FilmTable;
 use serde::{Deserialize, Serialize};
 
@@ -96,7 +97,7 @@ pub enum FilmSource<'a> {
     Direct {
         /// Cavitation.
         cavitation: Cavitation,
-        /// Grooves and holes, in the shell's frame.
+        /// FilmMethod and holes, in the shell's frame.
         feeds: &'a [Feed],
     },
 }
@@ -156,14 +157,9 @@ pub fn bearing_film(request: &BearingFilmRequest) -> Result<BearingFilm, FilmErr
         }),
         (None, FilmSource::Direct { .. }) => Err(FilmError::NoLand),
     };
-    let (mut viscosity, mut temperature, mut balanced) = match request.oil {
-        FilmOil::Fixed { viscosity, .. } => (viscosity, None, true),
-        FilmOil::Curve { oil, supply } => (oil.viscosity(supply), Some(supply), false),
-    };
-    let density = match request.oil {
-        FilmOil::Fixed { density, .. } => density,
-        FilmOil::Curve { oil, .. } => oil.density,
-    };
+    let (mut viscosity, mut temperature) = (request.oil.viscosity(None), request.oil.supply());
+    let mut balanced = temperature.is_none();
+    let density = request.oil.density();
     let mut orbit = orbit_at(viscosity)?;
     let rise_of = |orbit: &FilmOrbit| {
         Some(temperature_rise(orbit.friction_power, orbit.side_flow, density))
@@ -192,13 +188,28 @@ pub fn bearing_film(request: &BearingFilmRequest) -> Result<BearingFilm, FilmErr
         }
         temperature = Some(film);
     }
-    let sizes = request.cycle.load.iter().map(|load| load[0].hypot(load[1]));
+    Ok(told(request, request.cycle, Found { orbit, viscosity, temperature, rise, balanced }))
+}
+
+/// An orbit with the oil that it was computed with.
+struct Found {
+    orbit: FilmOrbit,
+    viscosity: f64,
+    temperature: Option<f64>,
+    rise: Option<f64>,
+    balanced: bool,
+}
+
+/// What is told of an orbit under the loads of `cycle`.
+fn told(request: &BearingFilmRequest, cycle: &JournalCycle, found: Found) -> BearingFilm {
+    let Found { orbit, viscosity, temperature, rise, balanced } = found;
+    let sizes = cycle.load.iter().map(|load| load[0].hypot(load[1]));
     let largest_load = sizes.clone().fold(0.0, f64::max);
     let area = 2.0 * request.bearing.radius * request.bearing.length;
-    let n = request.cycle.load.len();
+    let n = cycle.load.len();
     let least = ((orbit.least_film_at * n as f64).round() as usize).min(n - 1);
     let frame = request.shell.get(least).copied().unwrap_or(0.0);
-    Ok(BearingFilm {
+    BearingFilm {
         kind: request.kind,
         crankshaft: request.crankshaft,
         number: request.number,
@@ -221,7 +232,104 @@ pub fn bearing_film(request: &BearingFilmRequest) -> Result<BearingFilm, FilmErr
         roughness: request.roughness,
         shell_angle: request.shell.to_vec(),
         orbit,
-    })
+    }
+}
+
+/// A rigid shaft whose bearings share its loads.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ShaftBody {
+    /// Its mass [kg].
+    pub mass: f64,
+    /// Its moment of inertia across its axis, about its centre of mass [kg m2].
+    pub inertia: f64,
+    /// About its axis [kg m2].
+    pub polar: f64,
+    /// Its speed [rad/s], positive from x to y.
+    pub speed: f64,
+}
+
+/// The films of all bearings of a rigid shaft that floats in them, each with its heat balance; `requests` with tables, `places` along the shaft from its
+/// centre of mass [m]. The sums of the loads of the requests and of their moments load the shaft, and each film tells the load that it carries.
+///
+/// # Errors
+/// As [`FloatingShaft::new`] and [`FloatingShaft::run`]; [`FilmError::NoLand`] for a film that is not one of a table.
+pub fn shaft_films(
+    requests: &[BearingFilmRequest],
+    places: &[f64],
+    body: ShaftBody,
+) -> Result<Vec<BearingFilm>, FilmError> {
+    let mut journals = Vec::with_capacity(requests.len());
+    for (own, z) in requests.iter().zip(places) {
+        let FilmSource::Table(table) = own.source else { return Err(FilmError::NoLand) };
+        journals.push(ShaftJournal { z: *z, bearing: own.bearing, table, cycle: own.cycle });
+    }
+    let ShaftBody { mass, inertia, polar, speed } = body;
+    let roughness = requests.first().map_or(0.0, |own| own.roughness);
+    let request = ShaftRequest { journals: &journals, mass, inertia, polar, speed, roughness };
+    let mut shaft = FloatingShaft::new(&request)?;
+    let mut films: Vec<Option<f64>> = requests.iter().map(|own| own.oil.supply()).collect();
+    let viscosities = |films: &[Option<f64>]| -> Vec<f64> {
+        requests.iter().zip(films).map(|(own, film)| own.oil.viscosity(*film)).collect()
+    };
+    let rise_of = |own: &BearingFilmRequest, orbit: &FilmOrbit| {
+        Some(temperature_rise(orbit.friction_power, orbit.side_flow, own.oil.density()))
+            .filter(|rise| (0.0..=HIGHEST_RISE).contains(rise))
+    };
+    let mut is_balanced = films.iter().all(Option::is_none);
+    for _ in 0..MOST_REPEATS {
+        if is_balanced {
+            break;
+        }
+        let found = shaft.run(&viscosities(&films), false)?;
+        if found.outcome == OrbitOutcome::Overloaded {
+            break;
+        }
+        is_balanced = true;
+        for ((own, orbit), film) in requests.iter().zip(&found.orbits).zip(&mut films) {
+            let (Some(film), Some(supply)) = (film, own.oil.supply()) else { continue };
+            let missing = supply + rise_of(own, orbit).unwrap_or(HIGHEST_RISE) - *film;
+            if missing.abs() >= SAME_TEMPERATURE {
+                is_balanced = false;
+                *film = (*film + 0.5 * missing).min(HOTTEST);
+            }
+        }
+    }
+    let at = viscosities(&films);
+    let found = shaft.run(&at, true)?;
+    let each = requests.iter().zip(found.orbits).zip(found.loads).zip(films).zip(at);
+    Ok(each
+        .map(|((((own, orbit), load), temperature), viscosity)| {
+            let rise = rise_of(own, &orbit);
+            let cycle = JournalCycle { load, ..own.cycle.clone() };
+            let balanced = is_balanced;
+            told(own, &cycle, Found { orbit, viscosity, temperature, rise, balanced })
+        })
+        .collect())
+}
+
+impl FilmOil {
+    /// Temperature at which oil with a curve is supplied [K].
+    fn supply(&self) -> Option<f64> {
+        match self {
+            FilmOil::Fixed { .. } => None,
+            FilmOil::Curve { supply, .. } => Some(*supply),
+        }
+    }
+
+    /// Its viscosity [Pa s] at the film's temperature [K], if that counts.
+    fn viscosity(&self, film: Option<f64>) -> f64 {
+        match self {
+            FilmOil::Fixed { viscosity, .. } => *viscosity,
+            FilmOil::Curve { oil, supply } => oil.viscosity(film.unwrap_or(*supply)),
+        }
+    }
+
+    fn density(&self) -> f64 {
+        match self {
+            FilmOil::Fixed { density, .. } => *density,
+            FilmOil::Curve { oil, .. } => oil.density,
+        }
+    }
 }
 
 #[cfg(test)]

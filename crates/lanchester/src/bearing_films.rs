@@ -3,9 +3,10 @@
 use crate::torque_report::bearing_sizes;
 use lanchester_film::{
     BearingFilm, BearingFilmRequest, BearingKind, Cavitation, DENSITY, Feed, FilmError, FilmOil, FilmSource,
-    FilmTable, JournalBearing, JournalCycle, OilCurve, bearing_film, check_density, check_viscosity,
-    oil_grades,
+    FilmTable, JournalBearing, JournalCycle, OilCurve, ShaftBody, bearing_film, check_density,
+    check_viscosity, oil_grades, shaft_films,
 };
+use lanchester_geometry::crankshaft::crankshaft;
 use lanchester_mechanism::{BearingLoads, BearingSize};
 use lanchester_model::{BearingData, Cavitation as FileCavitation, Engine, Oil, OilGroove};
 use lanchester_report::{FilmsInput, Section, films_section};
@@ -74,6 +75,14 @@ pub enum BearingFilmsError {
         /// The grades.
         known: String,
     },
+    /// A crankshaft that is no body.
+    #[error("{crankshaft} needs its mass and inertia to float in its films: {reason}")]
+    NoShaft {
+        /// Its name.
+        crankshaft: String,
+        /// Why there is none.
+        reason: String,
+    },
     /// One bearing is refused.
     #[error("{bearing}: {error}")]
     Bearing {
@@ -84,17 +93,21 @@ pub enum BearingFilmsError {
     },
 }
 
-/// Whether films have the grooves of the file.
+/// How journals and films are computed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Grooves {
-    /// No: orbits go by tables of films without grooves, in milliseconds. A film that keeps its oil is taken by Reynolds' condition.
+pub enum FilmMethod {
+    /// Each journal by itself under its load, without mass, by tables of films without grooves: milliseconds. A film that keeps its oil is taken by
+    /// Reynolds' condition.
     #[default]
-    LeftOut,
-    /// Yes, with their supply pressure: the films of bearings with grooves are solved at every instant, which takes seconds each.
-    Solved,
+    Tables,
+    /// The same with the grooves of the file and their supply pressure: the films of bearings with grooves are solved at every instant, which takes
+    /// seconds each.
+    Grooved,
+    /// All main journals of a crankshaft together: a rigid body with its mass that floats in their films, which share its loads. Tables, without grooves.
+    RigidShaft,
 }
 
-/// Films under these loads, quasi-static, by the models of cavitation given, without any by that of the file (else Guembel's).
+/// Films under these loads, by the models of cavitation given, without any by that of the file (else Guembel's).
 ///
 /// # Errors
 /// [`BearingFilmsError`] where sizes or oil are not known, or a number lies outside what a film can have.
@@ -102,9 +115,9 @@ pub fn bearing_films(
     engine: &Engine,
     loads: &BearingLoads,
     models: &[Cavitation],
-    grooves: Grooves,
+    method: FilmMethod,
 ) -> Result<BearingFilms, BearingFilmsError> {
-    films_at(engine, loads, models, grooves, &mut Vec::new())
+    films_at(engine, loads, models, method, &mut Vec::new())
 }
 
 /// The same at several speeds, in their order.
@@ -115,18 +128,21 @@ pub fn bearing_films_over_speed(
     engine: &Engine,
     loads: &[BearingLoads],
     models: &[Cavitation],
-    grooves: Grooves,
+    method: FilmMethod,
 ) -> Result<Vec<BearingFilms>, BearingFilmsError> {
     let mut tables = Vec::new();
-    loads.iter().map(|loads| films_at(engine, loads, models, grooves, &mut tables)).collect()
+    loads.iter().map(|loads| films_at(engine, loads, models, method, &mut tables)).collect()
 }
+
+/// A bearing that is asked for: its place, grooves, sizes, model of cavitation and the index of its table.
+type Asked<'a> = (&'a Place, &'a [Feed], JournalBearing, Cavitation, Option<usize>);
 
 /// Films at one speed; tables that are there already are used again.
 fn films_at(
     engine: &Engine,
     loads: &BearingLoads,
     models: &[Cavitation],
-    grooves: Grooves,
+    method: FilmMethod,
     tables: &mut Vec<FilmTable>,
 ) -> Result<BearingFilms, BearingFilmsError> {
     let sizes = bearing_sizes(engine);
@@ -161,15 +177,21 @@ fn films_at(
     }
     let supply = engine.bearing_design.as_ref().and_then(|design| design.oil.supply_pressure);
     let own: Vec<Vec<Feed>> = places.iter().map(|place| place.feeds(supply.unwrap_or(0.0))).collect();
-    assumptions.extend(words_of_feeds(&own, supply, grooves, wanted.contains(&Cavitation::MassConserving)));
-    let feeds = match grooves {
-        Grooves::Solved => own,
-        Grooves::LeftOut => vec![Vec::new(); places.len()],
+    assumptions.extend(words_of_feeds(&own, supply, method, wanted.contains(&Cavitation::MassConserving)));
+    let feeds = match method {
+        FilmMethod::Grooved => own,
+        FilmMethod::Tables | FilmMethod::RigidShaft => vec![Vec::new(); places.len()],
     };
-    assumptions.push(
-        "crank and shells rigid, journals parallel to them, without mass (quasi-static); indeterminate mains as in the table of loads".into(),
-    );
-    let mut asked = Vec::new();
+    let shafts = match method {
+        FilmMethod::RigidShaft => floating_shafts(engine, loads, &places, &mut assumptions)?,
+        FilmMethod::Tables | FilmMethod::Grooved => {
+            assumptions.push(
+                "crank and shells rigid, journals parallel to them, without mass (quasi-static); indeterminate mains as in the table of loads".into(),
+            );
+            Vec::new()
+        }
+    };
+    let mut asked: Vec<Asked<'_>> = Vec::new();
     for (place, feeds) in places.iter().zip(&feeds) {
         let refused = |error| BearingFilmsError::Bearing { bearing: place.name(), error };
         let bearing = place.bearing().map_err(refused)?;
@@ -194,28 +216,65 @@ fn films_at(
                     Some(tables.len() - 1)
                 }
             };
-            asked.push((place, feeds, bearing, cavitation, table));
+            asked.push((place, feeds.as_slice(), bearing, cavitation, table));
         }
     }
-    let film = |&(place, feeds, bearing, cavitation, table): &(&Place, &Vec<Feed>, _, _, Option<usize>)| {
-        let request = BearingFilmRequest {
+    let request = |index: usize| {
+        let (place, feeds, bearing, cavitation, table) = asked[index];
+        let source = match table.and_then(|index: usize| tables.get(index)) {
+            Some(table) => FilmSource::Table(table),
+            None => FilmSource::Direct { cavitation, feeds },
+        };
+        BearingFilmRequest {
             kind: place.kind,
             crankshaft: place.crankshaft,
             number: place.number,
             bearing,
-            source: match table.and_then(|index| tables.get(index)) {
-                Some(table) => FilmSource::Table(table),
-                None => FilmSource::Direct { cavitation, feeds },
-            },
+            source,
             cycle: &place.cycle,
             shell: &place.shell,
             period: loads.period,
             roughness,
             oil,
-        };
-        bearing_film(&request).map_err(|error| BearingFilmsError::Bearing { bearing: place.name(), error })
+        }
     };
-    let films = asked.par_iter().map(film).collect::<Result<Vec<_>, _>>()?;
+    // What is computed together: a journal by itself, or all of a shaft with one model.
+    let shaft_of = |place: &Place| {
+        let is_own = |shaft: &&FloatingShaft| shaft.crankshaft == place.crankshaft;
+        shafts.iter().find(is_own).filter(|_| place.kind == BearingKind::Main)
+    };
+    let mut groups: Vec<(Option<&FloatingShaft>, Vec<usize>)> = Vec::new();
+    for (index, (place, _, _, cavitation, _)) in asked.iter().enumerate() {
+        let Some(shaft) = shaft_of(place) else {
+            groups.push((None, vec![index]));
+            continue;
+        };
+        let is_own = |(other, members): &&mut (Option<&FloatingShaft>, Vec<usize>)| {
+            other.is_some_and(|other| other.crankshaft == shaft.crankshaft)
+                && asked[members[0]].3 == *cavitation
+        };
+        match groups.iter_mut().find(is_own) {
+            Some((_, members)) => members.push(index),
+            None => groups.push((Some(shaft), vec![index])),
+        }
+    }
+    let film = |(shaft, members): &(Option<&FloatingShaft>, Vec<usize>)| {
+        let requests: Vec<BearingFilmRequest> = members.iter().map(|index| request(*index)).collect();
+        let found = match shaft {
+            None => requests.iter().map(bearing_film).collect::<Result<Vec<_>, _>>(),
+            Some(shaft) => {
+                let place = |index: &usize| shaft.places[asked[*index].0.number - 1];
+                let places: Vec<f64> = members.iter().map(place).collect();
+                shaft_films(&requests, &places, shaft.body)
+            }
+        };
+        let refused = |error| BearingFilmsError::Bearing { bearing: asked[members[0]].0.name(), error };
+        Ok(members.iter().copied().zip(found.map_err(refused)?).collect::<Vec<_>>())
+    };
+    let found = groups.par_iter().map(film).collect::<Result<Vec<_>, BearingFilmsError>>()?;
+    let mut films: Vec<(usize, BearingFilm)> = found.into_iter().flatten().collect();
+    films.sort_by_key(|(index, _)| *index);
+    let films = films.into_iter().map(|(_, film)| film).collect();
     Ok(BearingFilms {
         version: BEARING_FILMS_VERSION,
         engine: loads.engine.clone(),
@@ -270,35 +329,94 @@ fn bearing_of(size: BearingSize, data: &BearingData) -> Result<JournalBearing, F
     JournalBearing::new(0.5 * size.diameter, data.width.unwrap_or(size.width), 0.5 * clearance)
 }
 
+/// A crankshaft that floats in the films of its main bearings.
+struct FloatingShaft {
+    /// Its number, from 1.
+    crankshaft: usize,
+    /// Planes of its mains from its centre of mass [m].
+    places: Vec<f64>,
+    body: ShaftBody,
+}
+
+/// Crankshafts with two main bearings or more, as bodies.
+fn floating_shafts(
+    engine: &Engine,
+    loads: &BearingLoads,
+    places: &[Place],
+    assumptions: &mut Vec<String>,
+) -> Result<Vec<FloatingShaft>, BearingFilmsError> {
+    let mut shafts = Vec::new();
+    for (index, own) in engine.crankshafts.iter().enumerate() {
+        let number = index + 1;
+        let mains = |place: &&Place| place.kind == BearingKind::Main && place.crankshaft == number;
+        if places.iter().filter(mains).count() < 2 {
+            continue;
+        }
+        let body = crankshaft(engine, index).map_err(|error| BearingFilmsError::NoShaft {
+            crankshaft: own.name.clone(),
+            reason: error.to_string(),
+        })?;
+        let [_, _, middle] = body.mass.centre;
+        let [[xx, ..], [_, yy, _], _] = body.mass.inertia_about_centre;
+        assumptions.push(format!(
+            "{}: a rigid body of {:.3} kg, {:.3e} kg m2 across its axis (mean of both) and {:.3e} kg m2 about it, that floats in the films of its mains, which share its loads; \
+             flywheel, pulley and what the rods add to its mass are left out, and its play moves neither rods nor webs",
+            own.name,
+            body.mass.mass,
+            0.5 * (xx + yy),
+            body.polar_inertia,
+        ));
+        let of_shaft = loads.mains.iter().filter(|main| main.crankshaft == number);
+        shafts.push(FloatingShaft {
+            crankshaft: number,
+            places: of_shaft.map(|main| main.z - middle).collect(),
+            body: ShaftBody {
+                mass: body.mass.mass,
+                inertia: 0.5 * (xx + yy),
+                polar: body.polar_inertia,
+                speed: loads.speed * own.ratio.value(),
+            },
+        });
+    }
+    assumptions.push(match shafts.is_empty() {
+        true => {
+            "no crankshaft has two main bearings: each journal by itself, without mass (quasi-static)".into()
+        }
+        false => "big ends and single mains: each journal by itself, without mass (quasi-static)".into(),
+    });
+    assumptions.push("shells rigid; tables of films with parallel axes move the shaft; pressure, friction and flow are of films with its tilt".into());
+    Ok(shafts)
+}
+
 /// What is said of grooves and the pressure that feeds them.
 fn words_of_feeds(
     feeds: &[Vec<Feed>],
     supply: Option<f64>,
-    grooves: Grooves,
+    method: FilmMethod,
     is_conserving: bool,
 ) -> Vec<String> {
     let with_grooves = feeds.iter().filter(|own| !own.is_empty()).count();
     let mut words = Vec::new();
-    match (with_grooves, grooves, supply) {
+    match (with_grooves, method, supply) {
         (0, _, None) => {}
         (0, _, Some(_)) => {
             words.push("the supply pressure acts in grooves, and the file gives none: it is left out".into());
         }
-        (_, Grooves::LeftOut, _) => words.push(
+        (_, FilmMethod::Tables | FilmMethod::RigidShaft, _) => words.push(
             "grooves and supply pressure are left out: they lower the load that a film carries and raise its flow".into(),
         ),
-        (_, Grooves::Solved, Some(pressure)) => {
+        (_, FilmMethod::Grooved, Some(pressure)) => {
             words.push(format!("grooves are fed with {:.4} bar above the surroundings", pressure / 1e5));
         }
-        (_, Grooves::Solved, None) => words.push(
+        (_, FilmMethod::Grooved, None) => words.push(
             "grooves are fed with the pressure of the surroundings: no supply_pressure is given".into(),
         ),
     }
-    match grooves {
-        Grooves::Solved if is_conserving && with_grooves < feeds.len() => words.push(
+    match method {
+        FilmMethod::Grooved if is_conserving && with_grooves < feeds.len() => words.push(
             "a film that keeps its oil needs a groove that feeds it: without one Reynolds' condition is used, its limit in a flooded bearing".into(),
         ),
-        Grooves::LeftOut if is_conserving => words.push(
+        FilmMethod::Tables | FilmMethod::RigidShaft if is_conserving => words.push(
             "orbits use tables, which mass-conserving films do not have: Reynolds' condition, their limit in a flooded bearing, is used".into(),
         ),
         _ => {}

@@ -44,8 +44,8 @@ mod torque_report;
 mod torsion_study;
 
 pub use bearing_films::{
-    BEARING_FILMS_VERSION, BearingFilms, BearingFilmsError, Grooves, bearing_films, bearing_films_over_speed,
-    film_faults,
+    BEARING_FILMS_VERSION, BearingFilms, BearingFilmsError, FilmMethod, bearing_films,
+    bearing_films_over_speed, film_faults,
 };
 pub use bond_graph::{BondGraphError, BondGraphRequest, EngineBondGraph, engine_bond_graph, gauge_pressures};
 pub use comparison::{CompareEntry, CompareError, CompareRequest, ComparedWith, compare};

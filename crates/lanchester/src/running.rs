@@ -1,6 +1,6 @@
 //! What a report tells of the running engine: torque with gas, bearings, the block on its mounts.
 
-use crate::bearing_films::{BearingFilms, Grooves, bearing_films};
+use crate::bearing_films::{BearingFilms, FilmMethod, bearing_films};
 use crate::crosscheck::{CrossCheckRequest, crosscheck};
 use crate::graph_report::{bond_graph_report, has_graph};
 use crate::mounted::{MountSpeeds, mounts};
@@ -86,7 +86,7 @@ pub fn running(file: &EngineFile, traces: Result<&[TraceFile], String>, speed: f
     let wanted = loads.filter(|_| engine.bearing_design.is_some());
     let films = section(wanted.is_some(), "the oil films are", &traces, &mut warnings, |_| {
         let loads = wanted.ok_or("no loads of the bearings are known")?;
-        bearing_films(engine, loads, &[], Grooves::LeftOut).map_err(|error| error.to_string())
+        bearing_films(engine, loads, &[], FilmMethod::Tables).map_err(|error| error.to_string())
     });
     let strength =
         section(has_rule(engine), "the strength of the crankshaft is", &traces, &mut warnings, |traces| {

@@ -12,7 +12,7 @@ use lanchester::mechanism::{
 use lanchester::results::Trace;
 use lanchester::study::compare::{Comparison, Equal, Held};
 use lanchester::{
-    BearingFilms, CompareEntry, CompareRequest, ComparedWith, Grooves, MountSpeeds, TorqueReport,
+    BearingFilms, CompareEntry, CompareRequest, ComparedWith, FilmMethod, MountSpeeds, TorqueReport,
     TorqueReportRequest, bearing_films, bearing_report, compare, mounts, power_speeds, torque_report,
 };
 use schemars::JsonSchema;
@@ -236,7 +236,7 @@ fn films(asker: &Asker, question: FilmsQuestion) -> Result<BearingFilms, Problem
     let part = if engine.gas.is_some() { BearingPart::All } else { BearingPart::Inertia };
     let request = BearingRequest { speed, part, ..BearingRequest::default() };
     let loads = bearing_report(&engine, &traces, &request).map_err(Problem::refused)?;
-    bearing_films(&engine, &loads, &question.models, Grooves::LeftOut).map_err(Problem::refused)
+    bearing_films(&engine, &loads, &question.models, FilmMethod::Tables).map_err(Problem::refused)
 }
 
 fn mounted(asker: &Asker, question: Mounted) -> Result<MountStudy, Problem> {

@@ -16,7 +16,7 @@ use lanchester::report::{
     films_over_speed_figure, films_over_speed_table, films_text, words_before_tables,
 };
 use lanchester::task::option;
-use lanchester::{Grooves, bearing_films, bearing_films_over_speed, bearing_report, bearing_sizes};
+use lanchester::{FilmMethod, bearing_films, bearing_films_over_speed, bearing_report, bearing_sizes};
 use serde::Serialize;
 
 /// Loads with counterweights, and without where the engine has some.
@@ -53,8 +53,18 @@ pub fn run(arguments: &BearingsArguments, colour: bool) -> Result<u8, Failure> {
     let loads = |part, counterweights| loads_at(speed, part, counterweights);
     if let Some(models) = &arguments.film {
         let models: Vec<Cavitation> = models.iter().map(|model| model_of(*model)).collect();
-        let with_grooves = arguments.grooves || models.contains(&Cavitation::MassConserving);
-        let grooves = if with_grooves { Grooves::Solved } else { Grooves::LeftOut };
+        let is_conserving = models.contains(&Cavitation::MassConserving);
+        let method = match (arguments.dynamic, arguments.grooves || is_conserving) {
+            (true, true) => {
+                return Err(Failure::input(
+                    "--dynamic moves the crankshaft by tables of films, which mass-conserving films do not have",
+                    "ask for gumbel, reynolds or full, or leave out --dynamic",
+                ));
+            }
+            (true, false) => FilmMethod::RigidShaft,
+            (false, true) => FilmMethod::Grooved,
+            (false, false) => FilmMethod::Tables,
+        };
         let draw = |figures: &[Figure]| match &arguments.figures {
             Some(folder) => write_figures(folder, &arguments.file, figures).map(drop),
             None => Ok(()),
@@ -67,12 +77,12 @@ pub fn run(arguments: &BearingsArguments, colour: bool) -> Result<u8, Failure> {
                     engine,
                     &loads.collect::<Result<Vec<_>, _>>()?,
                     &models,
-                    grooves,
+                    method,
                     arguments.format,
                     &draw,
                 )?
             }
-            None => films(engine, &loads(part, true)?, &models, grooves, arguments.format, &draw)?,
+            None => films(engine, &loads(part, true)?, &models, method, arguments.format, &draw)?,
         };
         print(&match arguments.format {
             Format::Text if arguments.printed.brief => arguments.printed.words(words_before_tables(&text)),
@@ -108,11 +118,11 @@ fn films(
     engine: &Engine,
     loads: &BearingLoads,
     models: &[Cavitation],
-    grooves: Grooves,
+    method: FilmMethod,
     format: Format,
     draw: &dyn Fn(&[Figure]) -> Result<(), Failure>,
 ) -> Result<String, Failure> {
-    let films = bearing_films(engine, loads, models, grooves).map_err(Failure::refused)?;
+    let films = bearing_films(engine, loads, models, method).map_err(Failure::refused)?;
     draw(&film_figures(films.period, &films.films))?;
     Ok(match format {
         Format::Text => films_text(&films.engine, films.speed, &films.films, &films.assumptions),
@@ -125,11 +135,11 @@ fn films_over_speed(
     engine: &Engine,
     loads: &[BearingLoads],
     models: &[Cavitation],
-    grooves: Grooves,
+    method: FilmMethod,
     format: Format,
     draw: &dyn Fn(&[Figure]) -> Result<(), Failure>,
 ) -> Result<String, Failure> {
-    let found = bearing_films_over_speed(engine, loads, models, grooves).map_err(Failure::refused)?;
+    let found = bearing_films_over_speed(engine, loads, models, method).map_err(Failure::refused)?;
     let by_speed: Vec<_> = found.iter().map(|films| (films.speed, films.films.as_slice())).collect();
     draw(&films_over_speed_figure(&by_speed).into_iter().collect::<Vec<_>>())?;
     let table = films_over_speed_table(&by_speed);

@@ -97,6 +97,9 @@ pub struct BearingsArguments {
     /// seconds; `--film mass-conserving` asks for it too.
     #[arg(long, requires = "film")]
     pub grooves: bool,
+    /// With `--film`: the crankshaft as a rigid body with its mass that floats in the films of its mains, which share its loads. Needs [crank.body].
+    #[arg(long, requires = "film", conflicts_with = "grooves")]
+    pub dynamic: bool,
     /// With `--film`: the least films at these speeds of crankshaft 1, a list or a range, like `1000 rpm .. 6000 rpm by 250 rpm`.
     #[arg(long, value_name = "SPEEDS", requires = "film", conflicts_with = "speed")]
     pub speeds: Option<String>,

@@ -209,6 +209,11 @@ fn bearings_with_oil_films() {
     ];
     let over = output(&folder, 0, &speeds);
     assert!(over.lines().count() == 3 && over.contains("big end 4"), "{over}");
+    // A crankshaft that floats needs a body and films that have a table.
+    let refused = message(&folder, 2, &["bearings", "four.toml", "--film", "--dynamic"]);
+    assert!(refused.contains("[crank.body]"), "{refused}");
+    let refused = message(&folder, 2, &["bearings", "four.toml", "--film", "mass-conserving", "--dynamic"]);
+    assert!(refused.contains("tables of films"), "{refused}");
     written(&folder, FOUR);
     let refused = message(&folder, 2, &["bearings", "four.toml", "--film"]);
     assert!(refused.contains("diameter and width"), "{refused}");

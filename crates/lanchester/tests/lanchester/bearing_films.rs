@@ -3,7 +3,7 @@
 use lanchester::film::{BearingFilm, BearingKind, Cavitation, OrbitOutcome};
 use lanchester::mechanism::{BearingLoads, BearingRequest};
 use lanchester::model::Engine;
-use lanchester::{BearingFilms, Grooves, bearing_films, bearing_report, film_faults};
+use lanchester::{BearingFilms, FilmMethod, bearing_films, bearing_report, film_faults};
 
 const FOUR: &str = include_str!("../../../../examples/in-line-4-crank-by-elements.toml");
 
@@ -18,7 +18,7 @@ fn loads(engine: &Engine) -> BearingLoads {
 
 fn films(text: &str) -> BearingFilms {
     let engine = engine(text);
-    bearing_films(&engine, &loads(&engine), &[Cavitation::Gumbel], Grooves::LeftOut).expect("films")
+    bearing_films(&engine, &loads(&engine), &[Cavitation::Gumbel], FilmMethod::Tables).expect("films")
 }
 
 fn of(films: &BearingFilms, kind: BearingKind) -> Vec<&BearingFilm> {
@@ -86,7 +86,7 @@ fn thicker_oil_makes_thicker_films_and_a_grade_finds_its_temperature() {
 fn bad_input_names_bearing_and_remedy() {
     let refused = |text: &str| {
         let engine = engine(text);
-        bearing_films(&engine, &loads(&engine), &[], Grooves::LeftOut).expect_err("bad").to_string()
+        bearing_films(&engine, &loads(&engine), &[], FilmMethod::Tables).expect_err("bad").to_string()
     };
     let olive =
         refused(&FOUR.replace("viscosity = \"10 mPa s\"", "oil = \"olive\"\ntemperature = \"90 degC\""));
@@ -110,9 +110,9 @@ fn grooves_and_the_oil_that_is_kept() {
     let request = BearingRequest { speed: Some(314.0), samples: 90, ..BearingRequest::default() };
     let loads = bearing_report(&engine, &[], &request).expect("loads");
     let models = [Cavitation::Reynolds, Cavitation::MassConserving];
-    let plain = bearing_films(&engine, &loads, &models, Grooves::LeftOut).expect("films");
+    let plain = bearing_films(&engine, &loads, &models, FilmMethod::Tables).expect("films");
     assert_eq!(plain.films.len(), 9, "both are Reynolds' condition");
-    let solved = bearing_films(&engine, &loads, &models, Grooves::Solved).expect("films");
+    let solved = bearing_films(&engine, &loads, &models, FilmMethod::Grooved).expect("films");
     // The crankpins have no groove.
     assert_eq!((of(&solved, BearingKind::Main).len(), of(&solved, BearingKind::Crankpin).len()), (10, 4));
     assert!(
@@ -152,4 +152,43 @@ fn implausible_clearances_and_oils_are_told_together() {
         faults.iter().any(|words| words.contains("main bearings: the diametral clearance")),
         "{faults:?}"
     );
+}
+
+/// A rigid crankshaft that floats in its films: what its bearings carry adds up to the load, less what its mass takes.
+#[test]
+fn a_rigid_crankshaft_shares_its_loads_among_its_films() {
+    let engine = engine(FOUR);
+    let request = BearingRequest { speed: Some(680.0), samples: 180, ..BearingRequest::default() };
+    let loads = bearing_report(&engine, &[], &request).expect("loads");
+    let models = [Cavitation::Gumbel];
+    let alone = bearing_films(&engine, &loads, &models, FilmMethod::Tables).expect("films");
+    let shared = bearing_films(&engine, &loads, &models, FilmMethod::RigidShaft).expect("films");
+    assert_eq!(
+        of(&alone, BearingKind::Crankpin),
+        of(&shared, BearingKind::Crankpin),
+        "they are as they were"
+    );
+    let mains = of(&shared, BearingKind::Main);
+    assert_eq!(mains.iter().map(|film| film.number).collect::<Vec<_>>(), [1, 2, 3, 4, 5]);
+    for film in &mains {
+        assert_eq!(film.orbit.outcome, OrbitOutcome::Periodic, "{}", film.number);
+        let edge = film.orbit.least_edge_film.expect("it tilts");
+        assert!(edge > 0.0 && edge < film.orbit.least_film, "{} {edge}", film.number);
+    }
+    // At high speed the middle main carries the most where the shaft is cut at each bearing: a stiff beam on five films leaves the least to it.
+    let largest = |films: &BearingFilms, number: usize| of(films, BearingKind::Main)[number - 1].largest_load;
+    assert!(largest(&shared, 3) < 0.5 * largest(&alone, 3), "{} {}", largest(&shared, 3), largest(&alone, 3));
+    assert!(largest(&shared, 1) > largest(&shared, 3));
+    assert!(shared.assumptions.iter().any(|words| words.contains("floats in the films")));
+}
+
+#[test]
+fn a_crankshaft_without_a_body_cannot_float() {
+    let text = include_str!("../../../../examples/in-line-4.toml");
+    let text = format!(
+        "{text}\n[bearings.main]\ndiameter = \"50 mm\"\nwidth = \"20 mm\"\n[bearings.crankpin]\ndiameter = \"45 mm\"\nwidth = \"20 mm\"\n"
+    );
+    let engine = engine(&text);
+    let refused = bearing_films(&engine, &loads(&engine), &[], FilmMethod::RigidShaft).expect_err("no body");
+    assert!(refused.to_string().contains("[crank.body]"), "{refused}");
 }

@@ -10,8 +10,8 @@ use lanchester::task::{
     crank_weights, default_task,
 };
 use lanchester::{
-    DurabilityRequest, DurableOptions, EngineDurability, Grooves, RuleRequest, bearing_films, bearing_report,
-    crank_rule, durable_balance, optimise_on_webs,
+    DurabilityRequest, DurableOptions, EngineDurability, FilmMethod, RuleRequest, bearing_films,
+    bearing_report, crank_rule, durable_balance, optimise_on_webs,
 };
 
 const FOUR: &str = include_str!("../../../../examples/in-line-4-crank-by-elements.toml");
@@ -37,7 +37,7 @@ fn films_and_safeties_are_those_of_their_own_commands() {
     let loads =
         bearing_report(&engine, &[], &BearingRequest { speed: Some(SPEED), ..BearingRequest::default() })
             .unwrap();
-    let films = bearing_films(&engine, &loads, &[], Grooves::LeftOut).unwrap();
+    let films = bearing_films(&engine, &loads, &[], FilmMethod::Tables).unwrap();
     let mut smallest = [f64::INFINITY; 2];
     for film in &films.films {
         let own = usize::from(film.kind == BearingKind::Crankpin);

@@ -444,11 +444,13 @@ class Engine:
         samples: int | None = None,
         cavitation: Limits = (),
         grooves: bool | None = None,
+        dynamic: bool = False,
     ) -> BearingFilms:
         """Oil films of the main and crankpin bearings: orbit, smallest film, largest pressure. The file gives width, clearance and oil.
 
         `cavitation`: ``"reynolds"``, ``"gumbel"``, ``"full"``, ``"mass-conserving"``, or several; by default that of the file, else gumbel. `grooves`: with those of
-        the file and their supply pressure, which takes seconds a bearing; by default where ``"mass-conserving"`` is asked for.
+        the file and their supply pressure, which takes seconds a bearing; by default where ``"mass-conserving"`` is asked for. `dynamic`: the crankshaft as a rigid body
+        with its mass that floats in the films of its mains, which share its loads.
 
         >>> import lanchester
         >>> try:
@@ -457,7 +459,14 @@ class Engine:
         ...     error.code
         'BearingFilmsError.NoSizes'
         """
-        options = {"speed": speed, "part": part, "samples": samples, "cavitation": cavitation, "grooves": grooves}
+        options = {
+            "speed": speed,
+            "part": part,
+            "samples": samples,
+            "cavitation": cavitation,
+            "grooves": grooves,
+            "dynamic": dynamic,
+        }
         return self._ask("films", BearingFilms, options)
 
     def torsion(

@@ -16,8 +16,8 @@ use lanchester::report::{
     torque_table, torque_text,
 };
 use lanchester::{
-    BearingFilms, Grooves, TorqueReport, TorqueReportRequest, bearing_films, bearing_report, bearing_sizes,
-    torque_report,
+    BearingFilms, FilmMethod, TorqueReport, TorqueReportRequest, bearing_films, bearing_report,
+    bearing_sizes, torque_report,
 };
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -186,12 +186,22 @@ fn read_films(options: &Options<'_>) -> Result<Run, Failure> {
     let words = Cavitation::ALL.map(|model| (model.name(), model));
     let models = options.words("cavitation", &words)?;
     let asked_for = options.flag("grooves")?.unwrap_or(models.contains(&Cavitation::MassConserving));
-    let grooves = if asked_for { Grooves::Solved } else { Grooves::LeftOut };
+    let method = match (options.flag("dynamic")?.unwrap_or(false), asked_for) {
+        (true, true) => {
+            return Err(Failure::option(
+                "`dynamic` moves the crankshaft by tables of films, which have no grooves and are not mass-conserving",
+                "leave out one of them",
+            ));
+        }
+        (true, false) => FilmMethod::RigidShaft,
+        (false, true) => FilmMethod::Grooved,
+        (false, false) => FilmMethod::Tables,
+    };
     Ok(Box::new(move |engines, _| {
         let own = &engines[0];
         let request = BearingRequest { speed, part: part_of(own, asked)?, counterweights: true, samples };
         let loads = bearing_report(own.engine(), own.traces()?, &request).map_err(Failure::refused)?;
-        let found = bearing_films(own.engine(), &loads, &models, grooves).map_err(Failure::refused)?;
+        let found = bearing_films(own.engine(), &loads, &models, method).map_err(Failure::refused)?;
         Ok(Data::new(
             found,
             own,

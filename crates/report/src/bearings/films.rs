@@ -19,6 +19,7 @@ const ROUGH: f64 = 0.3e-6;
 pub fn films_table(films: &[BearingFilm]) -> Table {
     let state = |film: &BearingFilm| match film.orbit.outcome {
         OrbitOutcome::Overloaded => "overloaded",
+        _ if film.orbit.least_edge_film.is_some_and(|film| film <= 0.0) => "an end touches",
         _ if film.orbit.contact_time > 0.0 => "contact",
         OrbitOutcome::NotPeriodic => "not periodic",
         OrbitOutcome::Periodic if film.orbit.least_film < film.roughness => "below roughness",
@@ -34,29 +35,37 @@ pub fn films_table(films: &[BearingFilm]) -> Table {
         }
         OrbitOutcome::Periodic => "",
     };
-    let column = |header, unit, digits, value: fn(&BearingFilm) -> f64| {
+    let column = |header: &str, unit, digits, value: fn(&BearingFilm) -> f64| {
         numbers(header, unit, films.iter().map(value), digits)
     };
-    Table::of_columns(
-        "bearing-films",
-        "Oil films",
-        "Least film over the cycle with its crank angle and its direction in the shell (main: frame of the engine; big end: from the rod's line).",
-        vec![
-            words("bearing", films.iter().map(bearing_name)),
-            words("cavitation", films.iter().map(|film| film.cavitation.name().to_owned())),
-            column("clearance", "um", 3, |film| 2e6 * film.bearing.clearance),
-            column("least film", "um", 4, |film| 1e6 * film.orbit.least_film),
-            column("at", "deg", 4, |film| film.least_film_angle * 180.0 / PI),
-            column("in shell", "deg", 4, |film| film.least_film_in_shell * 180.0 / PI),
-            column("largest pressure", "MPa", 4, |film| 1e-6 * film.orbit.largest_pressure),
-            column("at", "deg", 4, |film| film.largest_pressure_angle * 180.0 / PI),
-            column("friction", "W", 4, |film| film.orbit.friction_power),
-            column("flow", "ml/s", 3, |film| 1e6 * film.orbit.side_flow),
-            column("rise", "K", 3, |film| film.temperature_rise.unwrap_or(f64::NAN)),
-            column("viscosity", "mPa s", 3, |film| 1e3 * film.viscosity),
-            words("remark", films.iter().map(|film| state(film).to_owned())),
-        ],
-    )
+    let mut columns = vec![
+        words("bearing", films.iter().map(bearing_name)),
+        words("cavitation", films.iter().map(|film| film.cavitation.name().to_owned())),
+        column("clearance", "um", 3, |film| 2e6 * film.bearing.clearance),
+        column("least film", "um", 4, |film| 1e6 * film.orbit.least_film),
+        column("at", "deg", 4, |film| film.least_film_angle * 180.0 / PI),
+        column("in shell", "deg", 4, |film| film.least_film_in_shell * 180.0 / PI),
+        column("largest pressure", "MPa", 4, |film| 1e-6 * film.orbit.largest_pressure),
+        column("at", "deg", 4, |film| film.largest_pressure_angle * 180.0 / PI),
+        column("friction", "W", 4, |film| film.orbit.friction_power),
+        column("flow", "ml/s", 3, |film| 1e6 * film.orbit.side_flow),
+        column("rise", "K", 3, |film| film.temperature_rise.unwrap_or(f64::NAN)),
+        column("viscosity", "mPa s", 3, |film| 1e3 * film.viscosity),
+    ];
+    let is_tilted = films.iter().any(|film| film.orbit.least_edge_film.is_some());
+    if is_tilted {
+        let edge = |film: &BearingFilm| film.orbit.least_edge_film.map_or(f64::NAN, |film| 1e6 * film);
+        columns.insert(4, column("at an end", "um", 4, edge));
+        columns.insert(2, column("largest load", "kN", 4, |film| 1e-3 * film.largest_load));
+    }
+    columns.push(words("remark", films.iter().map(|film| state(film).to_owned())));
+    let mut note =
+        "Least film over the cycle with its crank angle and its direction in the shell (main: frame of the engine; big end: from the rod's line)."
+            .to_owned();
+    if is_tilted {
+        note += " At an end: least film there, of a journal that tilts with its shaft. Load: what film and contact carry.";
+    }
+    Table::of_columns("bearing-films", "Oil films", note, columns)
 }
 
 /// Least film of every bearing over speed [um]: by speed [rad/s] the same bearings in the same order.

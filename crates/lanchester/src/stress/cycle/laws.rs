@@ -2,7 +2,7 @@
 
 use super::train::Bearing;
 use crate::bearing_films::{
-    ASSUMED_CLEARANCE, BearingFilms, BearingFilmsError, Grooves, bearing_films, model_of,
+    ASSUMED_CLEARANCE, BearingFilms, BearingFilmsError, FilmMethod, bearing_films, model_of,
 };
 use crate::stress::request::StressError;
 use lanchester_film::{BearingFilm, Cavitation, FilmTable, JournalBearing};
@@ -42,7 +42,7 @@ impl BearingLaws {
         }
         if has(BearingLaw::Film) {
             let BearingFilms { films: found, assumptions, .. } =
-                bearing_films(engine, loads, &[cavitation], Grooves::LeftOut)?;
+                bearing_films(engine, loads, &[cavitation], FilmMethod::Tables)?;
             for (place, film) in places.iter().zip(&mut films) {
                 *film =
                     found.iter().find(|own| own.kind == place.kind && own.number == place.number).cloned();
