@@ -33,22 +33,44 @@ pub(crate) struct Following {
     followers: usize,
     /// States whose rates hang on followers.
     acted: Vec<usize>,
-    /// Columns of G.
-    influence: Entries,
-    /// Rows of Phi.
-    slopes: Entries,
+    /// How many entries G has; those of Phi follow.
+    influence: usize,
+    /// What is summed up to `G Phi`, row by row, to `G b` and to `Phi x_A'`.
+    products: Sums,
+    right_sides: Sums,
+    unknowns: Sums,
     values: Vec<f64>,
     matrix: Vec<f64>,
     right: Vec<f64>,
 }
 
-/// Entries of a sparse matrix, follower by follower.
+/// Sums of products of two lists of numbers.
 #[derive(Debug, Clone, Default)]
-struct Entries {
-    /// Where those of each follower end.
-    ends: Vec<usize>,
-    /// Place in `acted` of each.
-    places: Vec<usize>,
+struct Sums {
+    /// Where the products of each sum end.
+    ends: Vec<u32>,
+    /// Places of both factors.
+    factors: Vec<[u32; 2]>,
+}
+
+impl Sums {
+    /// From factors with the sum that each belongs to, `count` sums in all; the order within a sum is kept.
+    fn new(count: usize, mut products: Vec<(usize, [u32; 2])>) -> Sums {
+        products.sort_by_key(|(sum, _)| *sum);
+        let end = |sum| products.partition_point(|(own, _)| *own <= sum) as u32;
+        Sums { ends: (0..count).map(end).collect(), factors: products.into_iter().map(|own| own.1).collect() }
+    }
+
+    /// Puts each product to its number, which begins the sum.
+    fn fold(&self, [a, b]: [&[f64]; 2], to: &mut [f64], put: impl Fn(f64, f64) -> f64) {
+        let mut start = 0;
+        for (to, end) in to.iter_mut().zip(&self.ends) {
+            let end = *end as usize;
+            let products = self.factors[start..end].iter().map(|[i, j]| a[*i as usize] * b[*j as usize]);
+            *to = products.fold(*to, &put);
+            start = end;
+        }
+    }
 }
 
 impl Following {
@@ -108,24 +130,36 @@ impl Following {
             }
         }
         outputs.extend(known);
-        let mut list = |entries: Vec<Vec<(usize, Id)>>| -> Entries {
-            let mut found = Entries { ends: Vec::new(), places: Vec::new() };
-            for own in entries {
-                outputs.extend(own.iter().map(|(_, id)| *id));
-                found.places.extend(own.into_iter().map(|(place, _)| place));
-                found.ends.push(found.places.len());
-            }
-            found
+        // Followers with the place in `acted` of each of their entries.
+        let mut list = |entries: Vec<Vec<(usize, Id)>>| -> Vec<Vec<(usize, u32)>> {
+            let mut count = 0;
+            let mut place = |(place, id): (usize, Id)| {
+                outputs.push(id);
+                count += 1;
+                (place, count - 1)
+            };
+            entries.into_iter().map(|own| own.into_iter().map(&mut place).collect()).collect()
         };
         let (influence, slopes) = (list(influence), list(slopes));
+        let (mut products, mut right_sides, mut unknowns) = (Vec::new(), Vec::new(), Vec::new());
+        for (follower, (influence, slopes)) in influence.iter().zip(&slopes).enumerate() {
+            for (row, g) in influence {
+                right_sides.push((*row, [*g, follower as u32]));
+                products
+                    .extend(slopes.iter().map(|(column, slope)| (row * acted.len() + column, [*g, *slope])));
+            }
+            unknowns.extend(slopes.iter().map(|(column, slope)| (follower, [*slope, *column as u32])));
+        }
         let tape = Tape::new(pool, &outputs, input, switches);
         Some(Following {
             tape,
             states: rates.len(),
             followers: left.len(),
+            influence: influence.iter().map(Vec::len).sum(),
+            products: Sums::new(acted.len() * acted.len(), products),
+            right_sides: Sums::new(acted.len(), right_sides),
+            unknowns: Sums::new(left.len(), unknowns),
             acted,
-            influence,
-            slopes,
             values: vec![0.0; outputs.len()],
             matrix: Vec::new(),
             right: Vec::new(),
@@ -150,7 +184,7 @@ impl Following {
         let size = self.acted.len();
         let (base, rest) = self.values.split_at(self.states);
         let (known, rest) = rest.split_at(self.followers);
-        let (influence, slopes) = rest.split_at(self.influence.places.len());
+        let (influence, slopes) = rest.split_at(self.influence);
         rates[..self.states].copy_from_slice(base);
         unknowns.copy_from_slice(known);
         self.right.clear();
@@ -160,30 +194,14 @@ impl Following {
         for row in 0..size {
             self.matrix[row * size + row] = 1.0;
         }
-        let (mut first, mut start) = (0, 0);
-        for (follower, (last, end)) in self.influence.ends.iter().zip(&self.slopes.ends).enumerate() {
-            let by = slopes[start..*end].iter().zip(&self.slopes.places[start..*end]);
-            for (g, row) in influence[first..*last].iter().zip(&self.influence.places[first..*last]) {
-                self.right[*row] += g * known[follower];
-                let own = &mut self.matrix[row * size..(row + 1) * size];
-                for (slope, column) in by.clone() {
-                    own[*column] -= g * slope;
-                }
-            }
-            (first, start) = (*last, *end);
-        }
+        self.right_sides.fold([influence, known], &mut self.right, |sum, product| sum + product);
+        self.products.fold([influence, slopes], &mut self.matrix, |sum, product| sum - product);
         let Ok(factors) = Lu::new(size, std::mem::take(&mut self.matrix)) else { return false };
         factors.solve(&mut self.right);
         for (state, rate) in self.acted.iter().zip(&self.right) {
             rates[*state] = *rate;
         }
-        let mut start = 0;
-        for (unknown, end) in unknowns.iter_mut().zip(&self.slopes.ends) {
-            for (slope, column) in slopes[start..*end].iter().zip(&self.slopes.places[start..*end]) {
-                *unknown += slope * self.right[*column];
-            }
-            start = *end;
-        }
+        self.unknowns.fold([slopes, &self.right], unknowns, |sum, product| sum + product);
         true
     }
 }

@@ -70,10 +70,60 @@ pub(crate) struct Tape {
     inputs: usize,
     stretches: Vec<Stretch>,
     /// Places of the operands of each operation, in the order of the stretches.
-    operands: Vec<[u32; 3]>,
+    operands: Operands,
     outputs: Vec<u32>,
     /// Places of inputs that are read, rising.
     read: Vec<u32>,
+}
+
+/// Place of an operand.
+trait Place: Copy {
+    fn index(self) -> usize;
+}
+
+impl Place for u16 {
+    fn index(self) -> usize {
+        usize::from(self)
+    }
+}
+
+impl Place for u32 {
+    fn index(self) -> usize {
+        self as usize
+    }
+}
+
+/// Places of operands: narrow ones where all fit, for those of an engine then stay in the fastest memory beside its values.
+#[derive(Debug, Clone)]
+enum Operands {
+    Narrow(Vec<[u16; 3]>),
+    Wide(Vec<[u32; 3]>),
+}
+
+impl Default for Operands {
+    fn default() -> Operands {
+        Operands::Wide(Vec::new())
+    }
+}
+
+impl Operands {
+    fn new(places: Vec<[u32; 3]>) -> Operands {
+        let narrow = places.iter().map(|own| {
+            let [a, b, c] = own.map(u16::try_from);
+            Some([a.ok()?, b.ok()?, c.ok()?])
+        });
+        match narrow.collect() {
+            Some(narrow) => Operands::Narrow(narrow),
+            None => Operands::Wide(places),
+        }
+    }
+
+    fn len(&self) -> usize {
+        match self {
+            Operands::Narrow(all) => all.len(),
+            Operands::Wide(all) => all.len(),
+        }
+    }
 }
 
 /// Operations in the order in which they are found.
@@ -192,6 +242,7 @@ impl Tape {
             }
         }
         let mut next = (tape.inputs + tape.constants.len()) as u32;
+        let mut all = Vec::new();
         loop {
             let longest = (0..ready.len()).max_by_key(|index| ready[*index].1.len());
             let Some((kind, list)) = longest.map(|index| ready.swap_remove(index)) else { break };
@@ -212,7 +263,7 @@ impl Tape {
                     Operation::Curve { slot, .. } => own[2] = slot,
                     _ => {}
                 }
-                tape.operands.push(own);
+                all.push(own);
             }
             for index in list {
                 for other in std::mem::take(&mut waiting[index as usize]) {
@@ -223,6 +274,7 @@ impl Tape {
                 }
             }
         }
+        tape.operands = Operands::new(all);
         tape.outputs = outputs.iter().map(|place| places[*place as usize]).collect();
         tape
     }
@@ -238,11 +290,22 @@ impl Tape {
         work.resize(first + self.operands.len(), 0.0);
         work[..self.inputs].copy_from_slice(&inputs[..self.inputs]);
         work[self.inputs..first].copy_from_slice(&self.constants);
+        match &self.operands {
+            Operands::Narrow(operands) => self.operate(operands, held, first, work),
+            Operands::Wide(operands) => self.operate(operands, held, first, work),
+        }
+        for (output, place) in outputs.iter_mut().zip(&self.outputs) {
+            *output = work[*place as usize];
+        }
+    }
+
+    /// Runs all operations; their values stand from `first` on.
+    fn operate<P: Place>(&self, operands: &[[P; 3]], held: &Held, first: usize, work: &mut [f64]) {
         let mut at = 0;
         for Stretch { kind, count } in &self.stretches {
             let (done, rest) = work.split_at_mut(first + at);
-            let values = rest[..*count].iter_mut().zip(&self.operands[at..at + count]);
-            let of = |place: u32| done[place as usize];
+            let values = rest[..*count].iter_mut().zip(&operands[at..at + count]);
+            let of = |place: P| done[place.index()];
             match *kind {
                 Kind::Negative => values.for_each(|(value, [a, ..])| *value = -of(*a)),
                 Kind::Sum => values.for_each(|(value, [a, b, _])| *value = of(*a) + of(*b)),
@@ -262,19 +325,16 @@ impl Tape {
                 }
                 Kind::Atan2 => values.for_each(|(value, [a, b, _])| *value = of(*a).atan2(of(*b))),
                 Kind::Choice => values.for_each(|(value, [a, b, switch])| {
-                    *value = of(if held.on[*switch as usize] { *a } else { *b });
+                    *value = of(if held.on[switch.index()] { *a } else { *b });
                 }),
                 Kind::Sign => values.for_each(|(value, [.., switch])| {
-                    *value = if held.on[*switch as usize] { 1.0 } else { -1.0 };
+                    *value = if held.on[switch.index()] { 1.0 } else { -1.0 };
                 }),
                 Kind::Curve(derivative) => values.for_each(|(value, [a, _, slot])| {
-                    *value = held.curve(*slot, of(*a), derivative);
+                    *value = held.curve(slot.index() as u32, of(*a), derivative);
                 }),
             }
             at += count;
-        }
-        for (output, place) in outputs.iter_mut().zip(&self.outputs) {
-            *output = work[*place as usize];
         }
     }
 
