@@ -98,6 +98,6 @@ pub use torque_report::{
     bearing_report, bearing_sizes, bearing_study, power_speeds, torque_report,
 };
 pub use torsion_study::{
-    EngineTorsionError, MeshedThrows, TORSION_SPEEDS, TorsionRequest, engine_chain, engine_excitation,
-    meshed_throws, torque_period, torsion,
+    EngineTorsionError, TORSION_SPEEDS, TorsionRequest, engine_chain, engine_excitation, meshed_throws,
+    torque_period, torsion,
 };

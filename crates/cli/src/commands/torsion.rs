@@ -14,10 +14,10 @@ use lanchester::flex::crank_mesh::CrankMeshOptions;
 use lanchester::flex::statics::SolveOptions;
 use lanchester::model::Engine;
 use lanchester::report::{
-    Table, TorsionResult, chain_table, critical_table, damped_mode_table, damper_table, holzer_table,
-    mode_table, shaft_order_table, shaft_table, star_table, time_table, torsion_brief, torsion_csv,
-    torsion_figures, torsion_inertia_table, torsion_speed_table, torsion_text, tuning_table,
-    twist_order_table,
+    MeshedThrow, Table, TorsionResult, chain_table, critical_table, damped_mode_table, damper_table,
+    holzer_table, meshed_throws_table, mode_table, shaft_order_table, shaft_table, star_table, time_table,
+    torsion_brief, torsion_csv, torsion_figures, torsion_inertia_table, torsion_speed_table, torsion_text,
+    tuning_table, twist_order_table,
 };
 use lanchester::task::option;
 use lanchester::torsion::{TuneAim, TuneFree};
@@ -30,9 +30,8 @@ pub fn run(arguments: &TorsionArguments, colour: bool) -> Result<u8, Failure> {
     let engine = &opened.file.engine;
     let has_gas = engine.gas.is_some() && !arguments.inertia_only;
     let traces = if has_gas { trace_files(engine, &arguments.file)? } else { Vec::new() };
-    let notes = by_elements(arguments, engine, &mut request)?;
-    let mut found = torsion(&opened.file, &traces, &request).map_err(Failure::refused)?;
-    found.notes.extend(notes);
+    request.meshed = by_elements(arguments, engine)?;
+    let found = torsion(&opened.file, &traces, &request).map_err(Failure::refused)?;
     if let Some(folder) = &arguments.figures {
         write_figures(folder, &arguments.file, &torsion_figures(&found))?;
     }
@@ -60,12 +59,8 @@ pub fn run(arguments: &TorsionArguments, colour: bool) -> Result<u8, Failure> {
 /// Size of the elements of throws where nobody says [m].
 const THROW_MESH: f64 = 0.01;
 
-/// Stiffnesses of throws from a mesh, where they are asked for; both kinds in words.
-fn by_elements(
-    arguments: &TorsionArguments,
-    engine: &Engine,
-    request: &mut TorsionRequest,
-) -> Result<Vec<String>, Failure> {
+/// Stiffnesses of throws from a mesh, where they are asked for.
+fn by_elements(arguments: &TorsionArguments, engine: &Engine) -> Result<Vec<MeshedThrow>, Failure> {
     if arguments.throws == StiffnessOption::KerWilson {
         return match arguments.size {
             Some(_) => {
@@ -78,9 +73,7 @@ fn by_elements(
     let options = CrankMeshOptions { size, fillet_elements: 2, ..CrankMeshOptions::default() };
     let solve = SolveOptions { memory: memory(&arguments.memory)?, ..SolveOptions::default() };
     let held = arguments.throws == StiffnessOption::Held;
-    let meshed = meshed_throws(engine, options, solve, held, &say).map_err(Failure::refused)?;
-    request.stiffness = meshed.stiffness;
-    Ok(meshed.notes)
+    meshed_throws(engine, options, solve, held, &say).map_err(Failure::refused)
 }
 
 fn request(arguments: &TorsionArguments) -> Result<TorsionRequest, Failure> {
@@ -104,7 +97,7 @@ fn request(arguments: &TorsionArguments) -> Result<TorsionRequest, Failure> {
             AimOption::Stress => TuneAim::Stress,
         }),
         time: arguments.check.as_deref().map(|text| speed(text, "--check")).transpose()?,
-        stiffness: Vec::new(),
+        meshed: Vec::new(),
     })
 }
 
@@ -115,6 +108,10 @@ fn tables(found: &TorsionResult, table: TorsionTable) -> Result<Vec<Table>, Fail
     Ok(match table {
         TorsionTable::Inertias => vec![torsion_inertia_table(found)],
         TorsionTable::Shafts => vec![chain_table(found)],
+        TorsionTable::Throws if found.meshed.is_empty() => {
+            return Err(Failure::input("no throw was meshed", "add `--throws free` or `--throws held`"));
+        }
+        TorsionTable::Throws => vec![meshed_throws_table(found)],
         TorsionTable::Modes => vec![mode_table(found)],
         TorsionTable::DampedModes => vec![damped_mode_table(found)],
         TorsionTable::Holzer => found.holzer.iter().map(|own| holzer_table(found, own)).collect(),

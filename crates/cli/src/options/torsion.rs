@@ -93,6 +93,8 @@ pub enum TorsionTable {
     Inertias,
     /// Stiffness, damping and section of every shaft.
     Shafts,
+    /// Both stiffnesses of every throw by finite elements, with `--throws`.
+    Throws,
     /// Natural frequencies and shapes without damping.
     Modes,
     /// Natural frequencies with damping.

@@ -9,4 +9,4 @@ pub use error::EngineTorsionError;
 pub use excitation::{engine_excitation, torque_period};
 pub(crate) use study::has_torsion;
 pub use study::{TORSION_SPEEDS, TorsionRequest, engine_chain, torsion};
-pub use throws::{MeshedThrows, meshed_throws};
+pub use throws::meshed_throws;

@@ -7,7 +7,7 @@ use crate::pressure::measured::TraceFile;
 use lanchester_file::EngineFile;
 use lanchester_model::{DamperKind, Engine};
 use lanchester_report::{
-    LimitedQuantity, TORSION_VERSION, TimeAmplitudes, TimeCheck, TorsionLimit, TorsionResult,
+    LimitedQuantity, MeshedThrow, TORSION_VERSION, TimeAmplitudes, TimeCheck, TorsionLimit, TorsionResult,
 };
 use lanchester_torsion::{
     Chain, CrankChain, CrankChainInput, Excitation, TorsionError, TuneAim, TuneFree, TuneRequest, as_viscous,
@@ -38,8 +38,8 @@ pub struct TorsionRequest {
     pub aim: Option<TuneAim>,
     /// Speed of a check in the time domain [rad/s].
     pub time: Option<f64>,
-    /// Stiffness of throws by another method [N m/rad], with the index of the throw.
-    pub stiffness: Vec<(usize, f64)>,
+    /// Stiffness of throws by finite elements ([`crate::meshed_throws`]); none: that of the file or of its sizes.
+    pub meshed: Vec<MeshedThrow>,
 }
 
 /// Whether a report tells of torsional vibration: the file says something of it.
@@ -72,7 +72,7 @@ pub fn torsion(
     request: &TorsionRequest,
 ) -> Result<TorsionResult, EngineTorsionError> {
     let engine = &file.engine;
-    let mut crank = engine_chain(file, &request.stiffness)?;
+    let mut crank = engine_chain(file, &request.meshed.iter().map(MeshedThrow::taken).collect::<Vec<_>>())?;
     let mut notes = std::mem::take(&mut crank.notes);
     let speeds = speeds(engine, request, &mut notes)?;
     let design = engine.torsion.clone().unwrap_or_default();
@@ -99,6 +99,7 @@ pub fn torsion(
         request.tune.map(|free| tuned(chain, &excitation, &speeds, engine, free, request.aim)).transpose()?;
     let time = request.time.map(|speed| time_check(chain, &excitation, speed)).transpose()?;
     let mut result = TorsionResult {
+        meshed: request.meshed.clone(),
         version: TORSION_VERSION,
         engine: engine.name.clone(),
         gas,

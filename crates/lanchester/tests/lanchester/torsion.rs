@@ -2,6 +2,7 @@
 
 use lanchester::file::EngineFile;
 use lanchester::mechanism::{BearingPart, BearingRequest, throw_forces};
+use lanchester::report::{MeshedThrow, meshed_throws_table, torsion_text};
 use lanchester::torsion::{
     CrankChain, StationKind, orders_of, throw_stiffness, torque_orders, train_inertia,
 };
@@ -109,6 +110,25 @@ fn ker_wilson_of_a_uniform_crankshaft() {
         crank.chain.shafts().iter().find(|s| s.name == "throw 3 to throw 4").map(|s| s.stiffness)
     };
     assert!((stiff(&twice).expect("a shaft") / exact - 2.0).abs() < 1e-9);
+    // Both by finite elements stand in a table, and the one that is taken in the chain.
+    let meshed = |is_held| {
+        let throws = all(1.0).into_iter();
+        let throws =
+            throws.map(|(throw, k)| MeshedThrow { throw: throw + 1, free: 2.0 * k, held: 3.0 * k, is_held });
+        let request = TorsionRequest {
+            speeds: vec![100.0, 150.0],
+            without_gas: true,
+            meshed: throws.collect(),
+            ..TorsionRequest::default()
+        };
+        torsion(&file, &[], &request).expect("a result")
+    };
+    let [free, held] = [false, true].map(meshed);
+    assert!((stiff(&free.crank).expect("a shaft") / exact - 2.0).abs() < 1e-9);
+    assert!((stiff(&held.crank).expect("a shaft") / exact - 3.0).abs() < 1e-9);
+    let text = torsion_text(&held);
+    assert!(text.contains("Throws by finite elements") && text.contains("held"), "{text}");
+    assert_eq!(meshed_throws_table(&held).rows.len(), 6);
 }
 
 #[test]

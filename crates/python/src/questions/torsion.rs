@@ -8,7 +8,7 @@ use lanchester::flex::crank_mesh::CrankMeshOptions;
 use lanchester::flex::statics::SolveOptions;
 use lanchester::report::{
     Table, TorsionResult, chain_table, critical_table, damped_mode_table, damper_table, holzer_table,
-    mode_table, shaft_order_table, shaft_table, star_table, time_table, torsion_figures,
+    meshed_throws_table, mode_table, shaft_order_table, shaft_table, star_table, time_table, torsion_figures,
     torsion_inertia_table, torsion_speed_table, torsion_text, tuning_table, twist_order_table,
 };
 use lanchester::torsion::{TuneAim, TuneFree};
@@ -43,20 +43,17 @@ fn read_torsion(options: &Options<'_>) -> Result<Run, Failure> {
         tune: options.word("tune", &tune)?,
         aim: options.word("aim", &aims)?,
         time: options.speed("check")?,
-        stiffness: Vec::new(),
+        meshed: Vec::new(),
     };
     Ok(Box::new(move |engines, _| {
         let own = &engines[0];
         let mut request = request.clone();
-        let mut notes = Vec::new();
         if let Some(held) = held {
-            let meshed = meshed_throws(own.engine(), mesh, SolveOptions::default(), held, &|_| ())
+            request.meshed = meshed_throws(own.engine(), mesh, SolveOptions::default(), held, &|_| ())
                 .map_err(Failure::refused)?;
-            (request.stiffness, notes) = (meshed.stiffness, meshed.notes);
         }
         let traces = if request.without_gas { &[] } else { own.traces()? };
-        let mut found = torsion(&own.file, traces, &request).map_err(Failure::refused)?;
-        found.notes.extend(notes);
+        let found = torsion(&own.file, traces, &request).map_err(Failure::refused)?;
         Ok(Data::new(
             found,
             own,
@@ -84,6 +81,9 @@ fn tables(found: &TorsionResult) -> Vec<Table> {
         torsion_speed_table(found),
         twist_order_table(found),
     ];
+    if !found.meshed.is_empty() {
+        tables.push(meshed_throws_table(found));
+    }
     tables.extend(found.holzer.iter().map(|own| holzer_table(found, own)));
     tables.extend([damper_table(found), tuning_table(found), time_table(found)].into_iter().flatten());
     tables

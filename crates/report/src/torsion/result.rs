@@ -22,6 +22,9 @@ pub struct TorsionResult {
     pub crank: CrankChain,
     /// Where the pressures come from, in words; `None`: no gas acts.
     pub gas: Option<String>,
+    /// Stiffness of throws by finite elements, where it was asked for.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub meshed: Vec<MeshedThrow>,
     /// Undamped modes; of pendulums at the highest speed.
     pub modes: Vec<Mode>,
     /// Damped modes at the highest speed.
@@ -42,6 +45,26 @@ pub struct TorsionResult {
     pub limits: Vec<TorsionLimit>,
     /// What was assumed and left out.
     pub notes: Vec<String>,
+}
+
+/// Torsional stiffness of a throw by finite elements, between the middles of its journals.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
+pub struct MeshedThrow {
+    /// Number of the throw, from 1.
+    pub throw: usize,
+    /// With journals that may move aside [N m/rad].
+    pub free: f64,
+    /// With journals whose middles stay on the axis [N m/rad].
+    pub held: f64,
+    /// Whether the chain has that of held journals.
+    pub is_held: bool,
+}
+
+impl MeshedThrow {
+    /// Index of the throw, and the stiffness that the chain has [N m/rad].
+    pub fn taken(&self) -> (usize, f64) {
+        (self.throw - 1, if self.is_held { self.held } else { self.free })
+    }
 }
 
 /// A limit, and what is reached.

@@ -3,8 +3,8 @@
 use super::figures::torsion_figures;
 use super::result::{LimitedQuantity, TorsionResult};
 use super::tables::{
-    aim_unit, chain_table, critical_table, damped_mode_table, damper_table, mode_table, shaft_table,
-    time_table, torsion_inertia_table, torsion_speed_table, tuning_table,
+    aim_unit, chain_table, critical_table, damped_mode_table, damper_table, meshed_throws_table, mode_table,
+    shaft_table, time_table, torsion_inertia_table, torsion_speed_table, tuning_table,
 };
 use crate::kit::number;
 use crate::kit::paragraph::push_wrapped;
@@ -128,6 +128,9 @@ impl TorsionResult {
             critical_table(self),
             shaft_table(self),
         ];
+        if !self.meshed.is_empty() {
+            tables.insert(2, meshed_throws_table(self));
+        }
         tables.extend(damper_table(self));
         tables.extend(tuning_table(self));
         tables.extend(time_table(self));

@@ -1,6 +1,6 @@
 //! Torsional vibration in numbers.
 
-use super::result::TorsionResult;
+use super::result::{MeshedThrow, TorsionResult};
 use crate::kit::number;
 use crate::kit::table::{Cell, Column, Table, numbers, words};
 use lanchester_torsion::{HolzerTable, TuneAim, TuneFree, peak};
@@ -56,6 +56,26 @@ pub fn chain_table(result: &TorsionResult) -> Table {
         ],
         rows: (0..chain.shafts().len()).map(row).collect(),
     }
+}
+
+/// Both stiffnesses of every throw by finite elements.
+pub fn meshed_throws_table(result: &TorsionResult) -> Table {
+    let throws = &result.meshed;
+    let stiffness = |head: &str, of: fn(&MeshedThrow) -> f64| {
+        numbers(head, "kN m/rad", throws.iter().map(|own| 1e-3 * of(own)), 4)
+    };
+    let taken = |own: &MeshedThrow| if own.is_held { "held" } else { "free" }.to_owned();
+    Table::of_columns(
+        "torsion-throws",
+        "Throws by finite elements",
+        "Between the middles of the journals of each throw, which may move aside (free) or stay on the axis (held); the chain has the one that is taken, joined with halves of neighbouring throws.",
+        vec![
+            words("throw", throws.iter().map(|own| own.throw.to_string())),
+            stiffness("free", |own| own.free),
+            stiffness("held", |own| own.held),
+            words("taken", throws.iter().map(taken)),
+        ],
+    )
 }
 
 /// Inertia of every station with its parts.
