@@ -75,7 +75,7 @@ pub fn run(arguments: &[String]) -> Result<String> {
     let install =
         ["-m", "pip", "install", "--quiet", "--force-reinstall", "--no-deps", "--disable-pip-version-check"];
     quiet(Command::new(&python).args(install).arg(&wheel))?;
-    types(&python, write)?;
+    written(&python, write)?;
     let tests = quiet(
         Command::new(&python)
             .args([
@@ -90,8 +90,14 @@ pub fn run(arguments: &[String]) -> Result<String> {
             .env("LANCHESTER_PROGRAM", &program)
             .current_dir(root()),
     )?;
-    let sources =
-        ["-m", "mypy", "crates/python/python/lanchester", "crates/python/tests", "crates/python/generate.py"];
+    let sources = [
+        "-m",
+        "mypy",
+        "crates/python/python/lanchester",
+        "crates/python/tests",
+        "crates/python/generate.py",
+        "crates/python/reference.py",
+    ];
     quiet(Command::new(&python).args(sources).current_dir(root()))?;
     quiet(
         Command::new(&python)
@@ -143,16 +149,39 @@ fn build(python: &Path, dev: bool) -> Result<PathBuf> {
     Ok(wheel)
 }
 
-/// The types of results are those of the Rust types, or become so.
-fn types(python: &Path, write: bool) -> Result<()> {
-    let place = root().join("crates/python/python/lanchester/results.py");
-    let fresh = quiet(Command::new(python).arg("crates/python/generate.py").current_dir(root()))?;
-    if std::fs::read_to_string(&place).is_ok_and(|held| held == fresh) {
-        return Ok(());
+/// What is written from the package, each with its file: the types of results, which are those of the Rust types, and the reference of the book.
+const WRITTEN: [(&[&str], &str); 3] = [
+    (&["crates/python/generate.py"], "crates/python/python/lanchester/results.py"),
+    (&["crates/python/reference.py", "functions"], "docs/src/guide/python-reference.md"),
+    (&["crates/python/reference.py", "results"], "docs/src/guide/python-results.md"),
+];
+
+/// What is written is fresh, or becomes so.
+fn written(python: &Path, write: bool) -> Result<()> {
+    let mut stale = Vec::new();
+    for (line, file) in WRITTEN {
+        let place = root().join(file);
+        let fresh = quiet(Command::new(python).args(line).current_dir(root()))?;
+        if std::fs::read_to_string(&place).is_ok_and(|held| held == fresh) {
+            continue;
+        }
+        stale.push(file);
+        if write {
+            std::fs::write(&place, fresh)?;
+            // The reference shows the types that the package has.
+            ensure!(
+                !file.ends_with("results.py"),
+                "the types of the Python package are written; run again to build a wheel with them"
+            );
+        }
     }
-    ensure!(write, "the types of the Python package are stale; run `cargo xtask python --write`");
-    std::fs::write(&place, fresh)?;
-    bail!("the types of the Python package are written; run again to build a wheel with them")
+    ensure!(
+        write || stale.is_empty(),
+        "{} of the Python package {} stale; run `cargo xtask python --write`",
+        stale.join(", "),
+        if stale.len() == 1 { "is" } else { "are" }
+    );
+    Ok(())
 }
 
 /// Fails where a crate of the package's tree has other features than in the program's: everything above it would be compiled twice.

@@ -7,7 +7,7 @@ use crate::prepared::Prepared;
 use crate::select::{Leaf, NoValue, Select, Step, steps};
 use crate::to_python::{Converted, ToPython};
 use lanchester::model::Engine;
-use lanchester::report::{Cell, Figure, Table};
+use lanchester::report::{Cell, Figure, Part, Section, Table};
 use pyo3::exceptions::PyAttributeError;
 use pyo3::prelude::*;
 use pyo3::types::PyList;
@@ -25,8 +25,28 @@ pub struct Shown<T> {
     pub tables: fn(&T, &Engine) -> Vec<Table>,
     /// Its pictures.
     pub figures: fn(&T, &Engine) -> Vec<Figure>,
+    /// A drawing as SVG with its name and title, where it is no figure of the report.
+    pub drawing: fn(&T) -> Option<[String; 3]>,
     /// The engine with what was found; a number chooses where there is a choice.
     pub adopted: Option<Adopted<T>>,
+}
+
+/// The tables of a chapter of the report.
+pub fn tables_of(section: Section) -> Vec<Table> {
+    let tables = |part| match part {
+        Part::Tables(tables) => tables,
+        _ => Vec::new(),
+    };
+    section.parts.into_iter().flat_map(tables).collect()
+}
+
+/// The pictures of a chapter of the report.
+pub fn figures_of(section: Section) -> Vec<Figure> {
+    let figures = |part| match part {
+        Part::Figures(figures) | Part::Rows(figures) => figures,
+        _ => Vec::new(),
+    };
+    section.parts.into_iter().flat_map(figures).collect()
 }
 
 impl<T> Default for Shown<T> {
@@ -35,6 +55,7 @@ impl<T> Default for Shown<T> {
             text: |_, _| String::new(),
             tables: |_, _| Vec::new(),
             figures: |_, _| Vec::new(),
+            drawing: |_| None,
             adopted: None,
         }
     }
@@ -47,7 +68,7 @@ trait Told: Send + Sync {
     fn number(&self, path: &[Step]) -> Result<f64, NoValue>;
     fn text(&self) -> String;
     fn tables(&self) -> Vec<Table>;
-    fn figures(&self) -> Vec<Figure>;
+    fn figures(&self) -> Vec<[String; 3]>;
     fn adopted(&self, number: Option<usize>) -> Result<Option<Arc<Prepared>>, Failure>;
 }
 
@@ -113,8 +134,14 @@ impl<T: Serialize + Send + Sync> Told for Typed<T> {
         (self.shown.tables)(&self.value, self.engine.engine())
     }
 
-    fn figures(&self) -> Vec<Figure> {
-        (self.shown.figures)(&self.value, self.engine.engine())
+    fn figures(&self) -> Vec<[String; 3]> {
+        let drawing = (self.shown.drawing)(&self.value);
+        let figures = (self.shown.figures)(&self.value, self.engine.engine());
+        let figure = |own: Figure| {
+            let svg = own.svg();
+            [own.id, own.title, svg]
+        };
+        drawing.into_iter().chain(figures.into_iter().map(figure)).collect()
     }
 
     fn adopted(&self, number: Option<usize>) -> Result<Option<Arc<Prepared>>, Failure> {
@@ -205,19 +232,8 @@ impl Answer {
 
     /// The pictures, each as (name, title, SVG).
     fn figures(&self, py: Python<'_>) -> PyResult<Vec<(String, String, String)>> {
-        let figures = py.detach(|| {
-            caught(|| {
-                let figures = self.data.0.figures();
-                Ok(figures
-                    .into_iter()
-                    .map(|own| {
-                        let svg = own.svg();
-                        (own.id, own.title, svg)
-                    })
-                    .collect())
-            })
-        })?;
-        Ok(figures)
+        let figures = py.detach(|| caught(|| Ok(self.data.0.figures())))?;
+        Ok(figures.into_iter().map(|[name, title, svg]| (name, title, svg)).collect())
     }
 
     /// The engine with what was found, or `None` where this result finds nothing.

@@ -199,12 +199,20 @@ fn each<T: Send>(
         let block: Vec<_> = (start..count.min(start + BLOCK))
             .into_par_iter()
             .map(|place| {
+                // Of a run that takes seconds no other is begun for nobody.
+                if !watch.goes_on() {
+                    return Ok(None);
+                }
                 caught(|| make(run(&[engines.at(place)?], watch)?))
+                    .map(Some)
                     .map_err(|failure| numbered(failure, place))
             })
             .collect();
         for answer in block {
-            found.push(answer?);
+            match answer? {
+                Some(answer) => found.push(answer),
+                None => return Ok(found),
+            }
         }
     }
     Ok(found)

@@ -194,8 +194,8 @@ impl<'py> Options<'py> {
         let Some(value) = self.get(name)? else { return Ok(None) };
         match number(&value) {
             Some(number) if number.is_finite() => Ok(Some(number)),
-            _ => Err(Failure::option(
-                format_args!("`{name}` needs a finite number, got {}", kind(&value)),
+            got => Err(Failure::option(
+                format_args!("`{name}` needs a finite number, got {}", number_or_kind(got, &value)),
                 format_args!("leave `{name}` out for its usual value"),
             )),
         }
@@ -206,8 +206,8 @@ impl<'py> Options<'py> {
         let entries = self.entries(name)?;
         let read = entries.iter().map(|value| match number(value) {
             Some(number) if number.is_finite() => Ok(number),
-            _ => Err(Failure::option(
-                format_args!("`{name}` needs finite numbers, got {}", kind(value)),
+            got => Err(Failure::option(
+                format_args!("`{name}` needs finite numbers, got {}", number_or_kind(got, value)),
                 format_args!("leave `{name}` out for its usual value"),
             )),
         });
@@ -326,4 +326,9 @@ fn text(value: &Bound<'_, PyAny>, name: &str) -> Result<String, Failure> {
 /// The type of a value, for messages.
 pub fn kind(value: &Bound<'_, PyAny>) -> String {
     value.get_type().name().map_or_else(|_| "something else".into(), |name| format!("`{name}`"))
+}
+
+/// A number that cannot be used, else the kind of a value that is none.
+fn number_or_kind(number: Option<f64>, value: &Bound<'_, PyAny>) -> String {
+    number.map_or_else(|| kind(value), |number| number.to_string())
 }

@@ -37,7 +37,9 @@ def test_dataframes_are_tables_too() -> None:
     ("text", "words"),
     [
         ("", "is empty"),
-        ("rod.length,rod.length\n1,2\n", "one head"),
+        ("rod.length,rod.length\n1,2\n", "two columns are of"),
+        ("rod.length [mm]\n", "has no case"),
+        ("rod.length [mm],\n140,\n", "a head is due"),
         ("rod.length,rod.length [mm]\n1,2\n", "two columns are of"),
         ("rod.length\n1,2\n", "has 2 cells"),
         ("rod.length [mm]\nlong\n", "needs a number"),
@@ -51,3 +53,43 @@ def test_wrong_tables_say_where(text: str, words: str, tmp_path: Path) -> None:
         FOUR.cases(path)
     with pytest.raises(RequestError, match="cannot read"):
         FOUR.cases(tmp_path / "none.csv")
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "rod.length [mm];piston.mass;name\n140,5;0,30 kg;a, b\n150;;4711\n",
+        "\ufeffrod.length [mm]\tpiston.mass\tname\n140.5\t0.30 kg\ta, b\n150\t\t4711\n",
+        'rod.length [mm],piston.mass,name\r\n140.5,0.30 kg,"a, b"\r\n\r\n150,,4711\r\n',
+        "name,rod.length [mm],piston.mass\n\"a, b\",140.5,0.30 kg\n4711,150\n",
+    ],
+    ids=["semicolons", "tabs", "commas", "a short row"],
+)
+def test_tables_of_any_spreadsheet_are_read_alike(text: str, tmp_path: Path) -> None:
+    path = tmp_path / "cases.csv"
+    path.write_bytes(text.encode())
+    cases = FOUR.cases(path)
+    assert cases[0].text == FOUR.with_({"rod.length": "140.5 mm", "piston.mass": "0.30 kg", "name": "a, b"}).text
+    assert cases[1].text == FOUR.with_({"rod.length": "150 mm", "name": "4711"}).text
+
+
+def test_all_cells_are_named_at_once_by_their_lines(tmp_path: Path) -> None:
+    path = tmp_path / "cases.csv"
+    path.write_text("rod.length [mm],crank.stroke [mm]\n140,80\n\nlong,1;2\n150,80,3\n", encoding="utf-8")
+    with pytest.raises(RequestError) as caught:
+        FOUR.cases(path)
+    lines = caught.value.message.splitlines()
+    assert "row 5: it has 3 cells, the first row has 2" in lines[1]
+    assert "row 4, column A (rod.length [mm]): needs a number [mm], got 'long'" in lines[2]
+    assert "row 4, column B" in lines[3] and len(lines) == 4
+    with pytest.raises(RequestError, match="read_excel"):
+        FOUR.cases(tmp_path / "cases.xlsx")
+
+
+def test_gaps_of_a_dataframe_leave_keys_as_they_are() -> None:
+    import pandas as pd
+
+    frame = pd.DataFrame({"layout.cylinders": [4.0, None], "rod.length [mm]": pd.array([None, 150], dtype="Int64"), "name": [1, 2]})
+    cases = FOUR.cases(frame)
+    assert cases[0].text == FOUR.with_({"layout.cylinders": 4, "name": "1"}).text
+    assert cases[1].text == FOUR.with_({"rod.length": "150 mm", "name": "2"}).text

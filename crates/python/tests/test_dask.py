@@ -260,3 +260,28 @@ def test_folders_of_others_are_left_alone(tmp_path: Path) -> None:
         lanchester.dask.map("loads", rods, [], tmp_path / "other")
     with pytest.raises(RequestError, match="two columns"):
         lanchester.dask.map("loads", FOUR.variants({"speed": ["3000 rpm"]}), "speed", tmp_path / "other")
+
+
+def test_a_cluster_without_workers_says_so(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("lanchester.dask.LONELY", 1.0)
+    with distributed.LocalCluster(n_workers=0, processes=True, dashboard_address=None, silence_logs=60) as own, distributed.Client(own) as client:
+        later = threading.Timer(4.0, own.scale, (1,))
+        later.start()
+        with pytest.warns(UserWarning, match="has had no worker for 1 s; 1 stretch of blocks wait"):
+            found = lanchester.dask.map("loads", [FOUR], "speed", tmp_path / "one", client=client, samples=1)
+        assert len(found.to_dataframe()) == 1
+
+
+def test_wrong_requests_are_refused_before_anything_is_made(tmp_path: Path) -> None:
+    wrong: list[tuple[Any, str]] = [
+        (lambda: lanchester.dask.map("loads", FOUR, "speed", tmp_path / "a"), "a list of engines"),  # type: ignore[arg-type]
+        (lambda: lanchester.dask.map("loads", [FOUR, "v6"], "speed", tmp_path / "a"), "got `str` at index 1"),  # type: ignore[list-item]
+        (lambda: lanchester.dask.map("load", [FOUR], "speed", tmp_path / "a"), 'no question "load"'),
+        (lambda: lanchester.dask.map("loads", [FOUR], "speed", tmp_path / "a", client="tcp://10.0.0.1:8786"), "needs a client"),
+        (lambda: lanchester.dask.plan(FOUR, cores=0, **SEARCH), "`cores` needs"),
+        (lambda: lanchester.dask.plan(FOUR, cores=1, samples=0, **SEARCH), "`samples` needs"),
+    ]
+    for call, words in wrong:
+        with pytest.raises(RequestError, match=words):
+            call()
+    assert not list(tmp_path.iterdir())

@@ -158,6 +158,14 @@ def test_cases_are_read_and_written_as_csv_and_workbooks(tmp_path: Path) -> None
     write_sheet(tmp_path / "cases.xlsx", [["rod.length [mm]", "piston.mass", "name"], [140, "0.30 kg", "short"], [155, None, "long"]])
     again = json.loads(program("loads", four, "--cases", tmp_path / "cases.xlsx", "--format", "json"))
     assert [row["largest force [N]"] for row in again] == [row["largest force [N]"] for row in rows]
+    # A spreadsheet with decimal commas parts its cells by semicolons; a name may be a number.
+    (tmp_path / "cases.csv").write_text("rod.length [mm];piston.mass;name\n140,0;0,30 kg;3,5 l\n155;;4711\n", encoding="utf-8")
+    again = json.loads(program("loads", four, "--cases", tmp_path / "cases.csv", "--format", "json"))
+    assert [row["largest force [N]"] for row in again] == [row["largest force [N]"] for row in rows]
+    assert [row["name"] for row in again] == ["3,5 l", "4711"]
+    write_sheet(tmp_path / "cases.xlsx", [["name", "rod.length [mm]"], [4711, 155]])
+    [row] = json.loads(program("loads", four, "--cases", tmp_path / "cases.xlsx", "--format", "json"))
+    assert (row["name"], row["largest force [N]"]) == ("4711", rows[1]["largest force [N]"])
     done = subprocess.run([str(PROGRAM), "loads", str(four), "--cases", str(tmp_path / "loads.xlsx")], capture_output=True, text=True, check=False)
     assert done.returncode == 2
     assert "row 1, column F: `largest force [N]` is no key of an engine file" in done.stderr
@@ -221,6 +229,7 @@ def test_every_bad_cell_is_told_with_row_and_column(tmp_path: Path) -> None:
         "row 2, column A (rod.length [mm]): needs a number [mm], got `long`",
         "row 3, column B (piston.mass):",
         "row 5, column C (crank.strok):",
+        "unknown key `strok` in [crank] (did you mean `stroke`?)",
         "row 6, column A (rod.length [mm]):",
         "hint: no case was computed",
     ]:

@@ -9,13 +9,15 @@ import subprocess
 import sys
 import threading
 import time
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
 import lanchester
-from lanchester import Engine, EngineFileError, InternalError, RequestError, _native
+from lanchester import Engine, EngineFileError, InternalError, RequestError, Result, _native
+from lanchester.engine import _KINDS
 
 FOUR = Engine.template("in-line-4")
 
@@ -144,7 +146,84 @@ def test_wrong_maps_say_which_engine() -> None:
         lanchester.map("loads", [FOUR], sped=3.0)
     with pytest.raises(RequestError, match="there are"):
         lanchester.map("loads", [FOUR], "total.peaks.nothing")
+    for call in (lambda: lanchester.map("loads", FOUR), lambda: lanchester.compare(FOUR)):  # type: ignore[call-overload, arg-type]
+        with pytest.raises(RequestError, match="a list of engines is needed"):
+            call()
+    for call in (lambda: lanchester.map("loads", [FOUR, "v6"]), lambda: lanchester.compare([FOUR, "v6"])):  # type: ignore[list-item]
+        with pytest.raises(RequestError, match="got `str` at index 1"):
+            call()
     assert lanchester.map("loads", []) == []
+
+
+def test_map_asks_every_question_about_one_engine() -> None:
+    """Every method that answers with a result, whole and as numbers."""
+    kinds = {kind.__name__ for kind in Result.__subclasses__()}
+    own = {name for name, member in vars(Engine).items() if inspect.isfunction(member) and member.__annotations__.get("return") in kinds}
+    assert own - {"explore"} == set(_KINDS) and len(own) > 20
+    whole = Engine.template("single").complete()
+    pick = {"torsion": "modes[0].frequency", "films": "films[0].orbit.least_film", "strength": "speeds[0].throws[0].radial"}
+    for name, path in pick.items():
+        single = getattr(whole, name)()
+        assert lanchester.map(name, [whole, whole], path)[path].tolist() == [single.pick(path)] * 2
+        [again] = lanchester.map(name, [whole])
+        assert again.to_json() == single.to_json()
+
+
+def test_columns_of_variants_are_what_engineers_have() -> None:
+    import pandas as pd
+
+    wanted = FOUR.with_({"rod.length": "150 mm"}).text
+    for values in (["150 mm"], np.array(["150 mm"]), pd.Series(["150 mm"], index=[7]), (own for own in ["150 mm"])):
+        assert FOUR.variants({"rod.length": values})[0].text == wanted
+    counts = FOUR.variants({"layout.cylinders": np.array([4, 4])})
+    assert [own.text for own in counts] == [FOUR.text] * 2
+    assert lanchester.map("loads", counts, "speed")["speed"].shape == (2,)
+    gaps = FOUR.variants({"rod.length": np.ma.array([0.15, 0.15], mask=[False, True])})
+    assert [own.text for own in gaps] == [FOUR.with_({"rod.length": 0.15}).text, FOUR.text]
+    for wrong, words in [("150 mm", "one value for each"), (0.15, "one value for each"), (np.ones((2, 2)), "in one row")]:
+        with pytest.raises(RequestError, match=words):
+            FOUR.variants({"rod.length": wrong})
+
+
+def test_indices_count_from_0_in_messages_too() -> None:
+    whole = Engine.template("single").complete()
+    for call in (
+        lambda: lanchester.compare([FOUR, FOUR], reference=2),
+        lambda: whole.modes(crankshaft=1),
+        lambda: whole.stress(crankshaft=1),
+        lambda: whole.strength(crankshaft=1),
+    ):
+        with pytest.raises(RequestError, match="needs an index from 0 to"):
+            call()
+    with pytest.raises(RequestError, match="got NaN"):
+        whole.simulate(tolerance=math.nan)
+
+
+@pytest.mark.parametrize(
+    "ask",
+    [
+        "lanchester.Engine.template('v6-60').sensitivity(sobol=1_000_000)",
+        "lanchester.map('simulate', [lanchester.Engine.template('single').complete()] * 1000, revolutions=200)",
+    ],
+    ids=["shares of the variance", "many runs"],
+)
+@pytest.mark.skipif(sys.platform == "win32", reason="Ctrl-C is another signal there")
+def test_what_is_interrupted_does_not_go_on_behind(ask: str) -> None:
+    """Once nobody waits any more the processors are left alone."""
+    program = (
+        "import lanchester, signal, threading, os, time\n"
+        "threading.Timer(1.5, lambda: os.kill(os.getpid(), signal.SIGINT)).start()\n"
+        f"try:\n    {ask}\n    print('finished')\nexcept KeyboardInterrupt:\n    print('interrupted')\n"
+        "time.sleep(2.0)\nbefore = time.process_time()\ntime.sleep(0.5)\nprint(time.process_time() - before)\nos._exit(0)\n"
+    )
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=60, check=True)
+    how, spent = done.stdout.split()
+    assert how == "interrupted" and float(spent) < 0.05, done.stdout
+
+
+def test_files_that_cannot_be_written_say_so(tmp_path: Path) -> None:
+    with pytest.raises(RequestError, match="cannot write"):
+        FOUR.save(tmp_path / "none" / "four.toml")
 
 
 def public() -> list[tuple[str, Any]]:

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import copy
 import gc
 import json
 import os
+import pickle
 import subprocess
 from pathlib import Path
 from typing import Any
@@ -25,6 +27,7 @@ def asked() -> dict[str, Result]:
     mounted = Engine.read(EXAMPLES / "in-line-4-mounts.toml")
     production = Engine.read(EXAMPLES / "in-line-4-production.toml")
     weights = Engine.read(EXAMPLES / "in-line-3-counterweights.toml")
+    whole = single.complete()
     return {
         "loads": four.loads(),
         "bending": four.bending(),
@@ -43,6 +46,12 @@ def asked() -> dict[str, Result]:
         "simulate": single.simulate(revolutions=1, imposed=True),
         "crosscheck": single.crosscheck(condition="a"),
         "bondgraph": single.bondgraph(),
+        "films": whole.films(),
+        "torsion": whole.torsion(),
+        "strength": whole.strength(),
+        "modes": whole.modes(6, size="12 mm", fillet_elements=2),
+        "stress": whole.stress(angle=0.0, size="12 mm", fillet_elements=2),
+        "fatigue": whole.fatigue(size="12 mm", fillet_elements=2, instants=24),
         "compare": lanchester.compare([four, twin]),
     }
 
@@ -147,7 +156,7 @@ def test_paths_lead_to_single_values() -> None:
     assert loads.pick("total.orders[2].order") == 2.0
     assert loads.pick("total.trace.theta").shape == (720,)
     for wrong, words in [("total.orders.order", "index"), ("total.nothing", "there are"), ("total.orders[99]", "list of")]:
-        with pytest.raises(AttributeError, match=words):
+        with pytest.raises(RequestError, match=words):
             loads.pick(wrong)
     with pytest.raises(RequestError, match="no path"):
         loads.pick("total..orders")
@@ -186,12 +195,47 @@ def test_every_plot_is_drawn(all_results: dict[str, Result], tmp_path: Path) -> 
         if any(isinstance(result, kind) for kind in plots._DRAWN):
             figure = result.plot()
             figure.savefig(tmp_path / f"{name}.png", dpi=40)
+            # A notebook that has not imported pyplot shows it too.
+            shown: Any = figure
+            assert shown._repr_png_().startswith(b"\x89PNG"), name
             assert figure.axes and any(axes.has_data() for axes in figure.axes), name
             drawn += 1
         else:
             with pytest.raises(RequestError, match="no plot"):
                 result.plot()
     assert drawn == len(plots._DRAWN)
+
+
+def test_every_result_has_a_table_or_a_picture(all_results: dict[str, Result]) -> None:
+    for name, result in all_results.items():
+        assert result.tables or result.figures, name
+    for name in ("films", "bondgraph", "modes", "stress", "counterweight"):
+        assert all(picture.svg.startswith("<svg") for picture in all_results[name].figures), name
+        assert all_results[name].figures and "<svg" in all_results[name]._repr_html_(), name
+
+
+def test_results_travel_between_processes(all_results: dict[str, Result]) -> None:
+    """By value: what comes out says the same, and gives the same engine."""
+    assert copy.deepcopy(all_results["loads"]) is all_results["loads"]
+    for name, result in all_results.items():
+        again = pickle.loads(pickle.dumps(result))
+        assert type(again) is type(result) and again.to_json() == result.to_json(), name
+        assert again.to_text() == result.to_text(), name
+        assert [own.svg for own in again.figures] == [own.svg for own in result.figures], name
+        assert [(own.name, own.units) for own in again.tables] == [(own.name, own.units) for own in result.tables], name
+        walk(again, json.loads(result.to_json()), name, set())
+        assert pickle.loads(pickle.dumps(again)).to_json() == result.to_json(), name
+    loads = pickle.loads(pickle.dumps(all_results["loads"]))
+    assert loads.pick("total.orders[2].order") == 2.0 and not loads.total.trace.force_x.flags.writeable
+    with pytest.raises(RequestError, match="there is no"):
+        loads.pick("total.nothing")
+    with pytest.raises(RequestError, match="finds nothing"):
+        loads.adopt()
+    for name, number in (("balance", None), ("explore", 0), ("explore", len(all_results["explore"].front) - 1)):  # type: ignore[attr-defined]
+        again = pickle.loads(pickle.dumps(all_results[name]))
+        assert again.adopt(number).text == all_results[name].adopt(number).text, name
+    with pytest.raises(RequestError, match="counted from 0"):
+        pickle.loads(pickle.dumps(all_results["explore"])).adopt(10_000)
 
 
 def test_infeasible_limits_are_an_outcome() -> None:

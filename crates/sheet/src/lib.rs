@@ -12,4 +12,4 @@
 
 mod sheet;
 
-pub use sheet::{Cell, Row, SheetError, read_csv, read_workbook, workbook};
+pub use sheet::{Cell, Row, SheetError, read_csv, read_workbook, separator, workbook};

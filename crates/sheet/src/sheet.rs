@@ -48,13 +48,31 @@ pub enum SheetError {
     Write(#[from] XlsxError),
 }
 
-/// The rows of a CSV text (RFC 4180); empty ones are left out.
+/// What parts the cells of a CSV text: the semicolon of spreadsheets whose decimal sign is a comma, a tab, or a comma; its first row says
+/// which, outside of quotes.
+pub fn separator(text: &str) -> char {
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text).trim_start();
+    let mut quoted = false;
+    let mut plain = text.chars().filter(|c| {
+        quoted ^= *c == '"';
+        !quoted
+    });
+    let head: String = plain.by_ref().take_while(|c| *c != '\n').collect();
+    [';', '\t'].into_iter().find(|own| head.contains(*own)).unwrap_or(',')
+}
+
+/// The rows of a CSV text (RFC 4180, with any [`separator`]); empty ones are left out.
 ///
 /// # Errors
 /// [`SheetError::Csv`].
 pub fn read_csv(text: &str) -> Result<Vec<Row>, SheetError> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-    let mut reader = csv::ReaderBuilder::new().has_headers(false).flexible(true).from_reader(text.as_bytes());
+    let separator = separator(text) as u8;
+    let mut reader = csv::ReaderBuilder::new()
+        .has_headers(false)
+        .flexible(true)
+        .delimiter(separator)
+        .from_reader(text.as_bytes());
     let mut rows = Vec::new();
     for record in reader.records() {
         let record = record.map_err(|error| SheetError::Csv {

@@ -1,7 +1,7 @@
 //! Cells that are written are read again, in their rows and columns; what is no table says so.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use lanchester_sheet::{Cell, SheetError, read_csv, read_workbook, workbook};
+use lanchester_sheet::{Cell, SheetError, read_csv, read_workbook, separator, workbook};
 
 #[test]
 fn workbooks_read_back_and_are_the_same_bytes_again() {
@@ -24,6 +24,20 @@ fn csv_keeps_the_numbers_of_its_rows() {
     let rows = read_csv("\u{feff}a,\"b, c\"\r\n\r\n1,\r\n").unwrap();
     assert_eq!(rows[0].cells[1], Cell::Text("b, c".to_owned()));
     assert_eq!((rows[1].number, rows[1].cells[1].clone()), (3, Cell::Empty));
+}
+
+#[test]
+fn the_first_row_says_what_parts_the_cells() {
+    let text = |text: &str| Cell::Text(text.to_owned());
+    for (written, by) in [("a;\"b; c\"\n1,5;x\n", ';'), ("\u{feff}a\t\"b; c\"\n1,5\tx\n", '\t')] {
+        assert_eq!(separator(written), by, "{written}");
+        let rows = read_csv(written).unwrap();
+        assert_eq!(rows[0].cells, [text("a"), text("b; c")], "{written}");
+        assert_eq!(rows[1].cells, [text("1,5"), text("x")], "{written}");
+    }
+    // Quotes and later rows say nothing.
+    assert_eq!(separator("a,\"b;c\"\n1;2,3\n"), ',');
+    assert_eq!(separator(""), ',');
 }
 
 #[test]

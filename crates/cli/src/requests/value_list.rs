@@ -20,7 +20,7 @@ pub fn value_list(
         let Some((to, step)) = rest.split_once(" by ") else {
             return Err(Failure::input(
                 format_args!("{option} needs the step of a range, got `{part}`"),
-                "write a range like `60 deg .. 120 deg by 15 deg`",
+                format_args!("write it behind the range: `{part} by ...`"),
             ));
         };
         let (from, to, step) = (one(from.trim())?, one(to.trim())?, one(step.trim())?);
@@ -30,7 +30,7 @@ pub fn value_list(
                 format_args!(
                     "{option} needs a range from the smaller to the larger in steps above 0, got `{part}`"
                 ),
-                "write a range like `60 deg .. 120 deg by 15 deg`",
+                "write the smaller value first, and a step above 0",
             ));
         }
         if steps > MOST {

@@ -45,6 +45,32 @@ fn units_hold_description_binary_and_engine_file() {
 }
 
 #[test]
+fn a_unit_of_another_ending_is_not_written() {
+    let folder = folder("export-ending");
+    fs::write(folder.join(format!("{DLL_PREFIX}lanchester_fmu{DLL_SUFFIX}")), "a library").unwrap();
+    let engine = examples().join("v6-60.toml").display().to_string();
+    for name in ["v6.zip", "v6"] {
+        let said = copied(&folder, &["export", "fmu", &engine, "--output", name]);
+        let told = String::from_utf8(said.stderr).unwrap();
+        assert_eq!(said.status.code(), Some(2), "{told}");
+        assert!(told.contains("a unit is written as .fmu"), "{told}");
+        assert!(!folder.join(name).exists());
+    }
+}
+
+#[test]
+fn forces_by_order_need_speeds() {
+    let folder = folder("export-speeds");
+    let engine = examples().join("in-line-4.toml").display().to_string();
+    let one = copied(&folder, &["export", "nastran", &engine]);
+    let told = String::from_utf8(one.stderr).unwrap();
+    assert!(one.status.code() == Some(2) && told.contains("hint: add --speeds"), "{told}");
+    let falling = ["export", "nastran", &engine, "--speeds", "700 rpm .. 600 rpm by 100 rpm"];
+    let told = String::from_utf8(copied(&folder, &falling).stderr).unwrap();
+    assert!(told.contains("hint: write the smaller value first") && !told.contains("deg"), "{told}");
+}
+
+#[test]
 fn the_crank_train_is_a_second_model() {
     let folder = folder("export-crank-train");
     fs::write(folder.join(format!("{DLL_PREFIX}lanchester_fmu{DLL_SUFFIX}")), "a library").unwrap();

@@ -44,7 +44,7 @@ pub enum EditError {
     },
     /// The path leads nowhere.
     #[error(
-        "`{path}` needs {needed}, got something else\nhint: paths are written like `crank.stroke` or `counterweight[0].unbalance`"
+        "`{path}` needs {needed}\nhint: paths are written like `crank.stroke` or `counterweight[0].unbalance`"
     )]
     Path {
         /// The path that was given.

@@ -6,6 +6,9 @@ use lanchester_report::{Cell, Column, Table};
 use rayon::prelude::*;
 use serde_json::Value;
 
+/// The key whose cells are words, digits too.
+const NAME: &str = "name";
+
 /// A cell of a table of cases.
 #[derive(Debug, Clone, PartialEq)]
 pub enum CaseCell {
@@ -97,6 +100,21 @@ impl CaseTable {
         if faults.is_empty() { Ok(CaseTable { heads, rows }) } else { Err(faults) }
     }
 
+    /// The same with a point in numbers that have a decimal comma, `140,5` or `0,30 kg`; names keep theirs.
+    #[must_use]
+    pub fn with_decimal_commas(mut self) -> CaseTable {
+        for row in &mut self.rows {
+            for (cell, _) in row.cells.iter_mut().zip(&self.heads).filter(|(_, head)| head.key != NAME) {
+                if let CaseCell::Text(text) = cell
+                    && let Some(pointed) = with_point(text)
+                {
+                    *text = pointed;
+                }
+            }
+        }
+        self
+    }
+
     /// Number of cases.
     pub fn len(&self) -> usize {
         self.rows.len()
@@ -106,6 +124,17 @@ impl CaseTable {
     pub fn is_empty(&self) -> bool {
         self.rows.is_empty()
     }
+}
+
+/// A number with a decimal comma at the beginning, with a point in its place; `None` of any other text.
+fn with_point(text: &str) -> Option<String> {
+    let (whole, rest) = text.split_once(',')?;
+    let is_number = |digits: &str| !digits.is_empty() && digits.chars().all(|c| c.is_ascii_digit());
+    let behind = rest.trim_start_matches(|c: char| c.is_ascii_digit());
+    let fraction = &rest[..rest.len() - behind.len()];
+    let ends = !behind.starts_with([',', '.']);
+    (is_number(whole.trim_start_matches(['+', '-'])) && is_number(fraction) && ends)
+        .then(|| format!("{whole}.{rest}"))
 }
 
 fn head(text: &str) -> Option<Head> {
@@ -135,6 +164,11 @@ fn column_name(place: usize, head: Option<&str>) -> String {
 /// The value that a cell gives its key; `None` where it stays.
 fn value(cell: &CaseCell, head: &Head) -> Result<Option<Value>, String> {
     let number = |number: f64| serde_json::Number::from_f64(number).map(Value::Number);
+    match cell {
+        CaseCell::Text(text) if head.key == NAME => return Ok(Some(Value::String(text.clone()))),
+        CaseCell::Number(number) if head.key == NAME => return Ok(Some(Value::String(number.to_string()))),
+        _ => {}
+    }
     let parsed = match cell {
         CaseCell::Text(text) => text.parse::<f64>().ok().filter(|number| number.is_finite()),
         CaseCell::Number(number) => Some(*number),
@@ -167,11 +201,19 @@ fn value(cell: &CaseCell, head: &Head) -> Result<Option<Value>, String> {
 fn changed(text: &str, cells: &[(&Head, Value)]) -> Result<lanchester_file::EngineFile, String> {
     let edits: Vec<Edit> =
         cells.iter().map(|(head, value)| Edit { path: head.key.clone(), value: value.clone() }).collect();
-    let text = edit(text, &edits).map_err(|error| error.to_string())?;
+    let with_hint = |message: &str, hint: Option<&str>| match hint {
+        Some(hint) => format!("{message} ({hint})"),
+        None => message.to_owned(),
+    };
+    let text = edit(text, &edits).map_err(|error| {
+        let words = error.to_string();
+        words.split_once("\nhint: ").map_or(words.clone(), |(message, hint)| with_hint(message, Some(hint)))
+    })?;
     let reading = read(&text);
     reading.file.ok_or_else(|| {
         let errors = reading.diagnostics.iter().filter(|own| own.severity == Severity::Error);
-        errors.map(|own| own.message.clone()).collect::<Vec<_>>().join("; ")
+        let words = errors.map(|own| with_hint(&own.message, own.hint.as_deref()));
+        words.collect::<Vec<_>>().join("; ")
     })
 }
 
@@ -292,6 +334,11 @@ mod tests {
         assert_eq!(parts("throw[0]"), Some(("throw[0]".into(), None)));
         assert_eq!(parts("[mm]"), None);
         assert_eq!(parts("two words"), None);
+        assert_eq!(with_point("-140,5").as_deref(), Some("-140.5"));
+        assert_eq!(with_point("0,30 kg").as_deref(), Some("0.30 kg"));
+        for other in ["140.5", "1.234,5", "1,234,5", "1,2.3", "a,5", ",5", "5,", "80 mm, 90 mm"] {
+            assert_eq!(with_point(other), None, "{other}");
+        }
         assert_eq!((column_name(0, None), column_name(27, None)), ("A".to_owned(), "AB".to_owned()));
     }
 }

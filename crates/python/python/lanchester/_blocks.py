@@ -16,7 +16,7 @@ from typing import Any
 
 from . import _native
 from ._record import Result
-from .engine import _KINDS, Engine, Variants
+from .engine import _KINDS, Engine, Variants, _natives
 from .errors import RequestError
 from .results import Exploration, ScatterStudy
 
@@ -42,7 +42,7 @@ class Study:
     def _natives(self) -> list[_native.Engine]:
         if isinstance(self.engines, Variants):
             return [self.engines.engine._native]
-        return [engine._native for engine in self.engines]
+        return _natives(self.engines)
 
     @property
     def blocks(self) -> int:
@@ -169,6 +169,8 @@ class Tables:
 
 def known(question: str, options: Mapping[str, Any], further: Sequence[str] = ()) -> None:
     """Refuses an argument that the question has not."""
+    if question not in ("explore", "scatter"):
+        kind_of(question)
     method = getattr(Engine, question)
     names = set(method.__kwdefaults__ or {}) | (set(method.__annotations__) - {"return"}) | set(further)
     for option in options:

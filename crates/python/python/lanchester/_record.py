@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, Generic, TypeVar, overload
 import numpy as np
 import numpy.typing as npt
 
+from ._kept import Kept
 from .errors import RequestError
 from .table import Table
 
@@ -25,7 +26,7 @@ R = TypeVar("R", bound="Record")
 class _Lazy(dict[str, Any]):
     """Fields of an answer, each converted when it is first looked at."""
 
-    def __init__(self, answer: Answer) -> None:
+    def __init__(self, answer: Answer | Kept) -> None:
         self.answer = answer
 
     def __missing__(self, name: str) -> Any:
@@ -232,13 +233,26 @@ class Result(Record):
     _engines: tuple[Engine, ...]
 
     @classmethod
-    def _made(cls: type[Q], answer: Answer, engines: tuple[Engine, ...]) -> Q:
+    def _made(cls: type[Q], answer: Answer | Kept, engines: tuple[Engine, ...]) -> Q:
         made = cls(_Lazy(answer))
         made._engines = engines
         return made
 
+    def __copy__(self: Q) -> Q:
+        return self
+
+    def __deepcopy__(self: Q, memo: dict[int, Any]) -> Q:
+        # Results do not change.
+        return self
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        if isinstance(self._values, _Lazy):
+            kept = self._values.answer
+            return _kept_again, (type(self), kept if isinstance(kept, Kept) else Kept.of(kept), self._engines)
+        return type(self), (dict(self._values),)
+
     @property
-    def _answer(self) -> Answer:
+    def _answer(self) -> Answer | Kept:
         if isinstance(self._values, _Lazy):
             return self._values.answer
         raise RequestError(
@@ -283,7 +297,10 @@ class Result(Record):
         >>> Engine.template("in-line-4").loads().pick("total.orders[1].order")
         1.0
         """
-        return self._answer.pick(path)
+        try:
+            return self._answer.pick(path)
+        except AttributeError as error:
+            raise RequestError(f"`{path}`: {error}", "`to_dict()` shows what there is") from None
 
     @property
     def tables(self) -> list[Table]:
@@ -365,6 +382,11 @@ class Result(Record):
 
 
 Q = TypeVar("Q", bound=Result)
+
+
+def _kept_again(kind: type[Q], kept: Kept, engines: tuple[Engine, ...]) -> Q:
+    """A result out of a pickle."""
+    return kind._made(kept, engines)
 
 
 def _escaped(text: str) -> str:

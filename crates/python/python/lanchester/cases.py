@@ -5,13 +5,36 @@ from __future__ import annotations
 import csv
 import math
 import re
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from os import PathLike
+from pathlib import Path
 from typing import Any
 
 from .errors import RequestError
 
 __all__ = ["columns"]
+
+MOST_FAULTS = 20
+"""Cells that are named of those that cannot be used; what follows has often the same cause."""
+
+_DECIMAL_COMMA = re.compile(r"^\s*([+-]?\d+),(\d+)(?![\d.,])")
+"""A number with a decimal comma at the beginning of a cell."""
+
+
+class _Faults(list[str]):
+    """Everything in a table that cannot be used."""
+
+    def add(self, row: object, column: str | None, message: str) -> None:
+        self.append(f"row {row}{'' if column is None else f', column {column}'}: {message}")
+
+    def refuse(self, what: str) -> None:
+        """Raises where there are any."""
+        if not self:
+            return
+        lines = [f"{what} cannot be used as a table of cases", *self[:MOST_FAULTS]]
+        if len(self) > MOST_FAULTS:
+            lines.append(f"and {len(self) - MOST_FAULTS} more")
+        raise RequestError("\n  ".join(lines), "a column is a key of the engine file, such as `rod.length [mm]` or `name`; an empty cell leaves the key as it is")
 
 
 def columns(table: str | PathLike[str] | Mapping[str, Any]) -> dict[str, list[Any]]:
@@ -21,47 +44,105 @@ def columns(table: str | PathLike[str] | Mapping[str, Any]) -> dict[str, list[An
     >>> columns({"rod.length [mm]": [140, 150], "piston.mass": ["300 g", ""]})
     {'rod.length': ['140 mm', '150 mm'], 'piston.mass': ['300 g', None]}
     """
+    faults = _Faults()
+    if isinstance(table, (str, PathLike)):
+        what, (heads, rows, cells) = str(table), _read(Path(table), faults)
+        places = [_letters(place) for place in range(len(heads))]
+        first: object = 1
+    else:
+        what = "the table"
+        given = {own.name: own.to_list() for own in table.get_columns()} if hasattr(table, "get_columns") else dict(table)
+        heads, cells = [str(head) for head in given], [list(values) for values in given.values()]
+        rows = list(range(max((len(values) for values in cells), default=0)))
+        places, first = [""] * len(heads), "of heads"
     found: dict[str, list[Any]] = {}
-    for head, values in (_read(table) if isinstance(table, (str, PathLike)) else dict(table)).items():
-        parts = re.fullmatch(r"\s*([^\[\s]+(?:\[\d+\][^\[\s]*)*)\s*(?:\[([^\]]+)\])?\s*", str(head))
+    for place, head, values in zip(places, heads, cells, strict=True):
+        parts = re.fullmatch(r"\s*([^\[\s]+(?:\[\d+\][^\[\s]*)*)\s*(?:\[([^\]]+)\])?\s*", head)
         if parts is None:
-            raise RequestError(f"`{head}` is no key of an engine file", "write a head like `rod.length [mm]` or `cylinder[1].piston.mass`")
+            faults.add(first, place or None, f"`{head.strip()}` is no key of an engine file" if head.strip() else "a head is due")
+            continue
         key, unit = parts[1], parts[2]
         if key in found:
-            raise RequestError(f"two columns are of `{key}`", "leave one of them out")
-        found[key] = [_value(value, unit, str(head), row) for row, value in enumerate(values)]
+            faults.add(first, place or None, f"two columns are of `{key}`")
+            continue
+        own = found[key] = []
+        for row, value in zip(rows, values, strict=False):
+            try:
+                own.append(_value(value, key, unit))
+            except ValueError as error:
+                faults.add(row, f"{place} ({head.strip()})" if place else f"`{head.strip()}`", str(error))
+    faults.refuse(what)
     return found
 
 
-def _read(path: str | PathLike[str]) -> dict[str, list[str]]:
+def _read(path: Path, faults: _Faults) -> tuple[list[str], list[int], list[list[str]]]:
+    """Heads, numbers of the rows below as their user sees them, and cells by column."""
+    if path.suffix.lower() in (".xlsx", ".xls", ".ods"):
+        raise RequestError(f"{path} is a workbook", 'give the DataFrame of pandas.read_excel("..."), or a CSV file')
     try:
-        with open(path, encoding="utf-8-sig", newline="") as file:
-            rows = [row for row in csv.reader(file) if any(cell.strip() for cell in row)]
-    except (OSError, UnicodeDecodeError) as error:
-        raise RequestError(f"cannot read {path}: {error}", "give a table of cases as CSV in UTF-8") from error
-    if not rows:
+        text = path.read_text(encoding="utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise RequestError(f"cannot read {path}: it is not UTF-8 text (byte {error.start})", "save the table as CSV in UTF-8") from None
+    except OSError as error:
+        raise RequestError(f"cannot read {path}: {error.strerror or error}", "give a table of cases as CSV in UTF-8") from error
+    (_, heads), *rows = list(_rows(text)) or [(1, [])]
+    if not heads:
         raise RequestError(f"{path} is empty", "its first row has the keys, each further one is an engine")
-    head, *body = rows
-    for place, row in enumerate(body):
-        if len(row) != len(head):
-            raise RequestError(f"row {place + 1} of {path} has {len(row)} cells, its head has {len(head)}", "every row needs a cell for each key; it may be empty")
-    if len(set(head)) < len(head):
-        raise RequestError(f"two columns of {path} have one head", "leave one of them out")
-    return {name: [row[place] for row in body] for place, name in enumerate(head)}
+    if not rows:
+        raise RequestError(f"{path} has no case", "every row below the keys is one")
+    for number, row in rows:
+        if len(row) > len(heads):
+            faults.add(number, None, f"it has {len(row)} cells, the first row has {len(heads)}")
+    # What a row leaves out at its end stays as the engine has it.
+    cells = [[row[place] if place < len(row) else "" for _, row in rows] for place in range(len(heads))]
+    return heads, [number for number, _ in rows], cells
 
 
-def _value(value: Any, unit: str | None, head: str, row: int) -> Any:
+def _rows(text: str) -> Iterator[tuple[int, list[str]]]:
+    """The rows that are not empty, with the numbers of their lines. Cells are parted by commas, or by the semicolons or tabs of the first row."""
+    head = re.sub(r'"[^"]*"', "", text.lstrip().split("\n", 1)[0])
+    separator = next((own for own in ";\t" if own in head), ",")
+    reader = csv.reader(text.splitlines(keepends=True), delimiter=separator)
+    names: list[str] | None = None
+    before = 0
+    for row in reader:
+        number, before = before + 1, reader.line_num
+        if not any(cell.strip() for cell in row):
+            continue
+        if names is None:
+            names = [cell.strip() for cell in row]
+        elif separator == ";":
+            # The comma is left for the decimals; names keep theirs.
+            row = [cell if names[place : place + 1] == ["name"] else _DECIMAL_COMMA.sub(r"\1.\2", cell) for place, cell in enumerate(row)]
+        yield number, row
+
+
+def _letters(place: int) -> str:
+    """A, B, ... AA, as spreadsheets count columns."""
+    letters, rest = "", place + 1
+    while rest > 0:
+        rest, letter = divmod(rest - 1, 26)
+        letters = chr(ord("A") + letter) + letters
+    return letters
+
+
+def _value(value: Any, key: str, unit: str | None) -> Any:
     if isinstance(value, str):
         value = value.strip()
-    if value is None or value == "" or (isinstance(value, float) and math.isnan(value)):
+    if value is None or (isinstance(value, str) and value == "") or type(value).__name__ in ("NAType", "NaTType"):
+        return None
+    if isinstance(value, float) and math.isnan(value):
         return None
     if unit is not None:
         if _number(value) is None:
-            raise RequestError(f"row {row + 1} of `{head}` needs a number, got {value!r}", "the unit stands in the head")
+            raise ValueError(f"needs a number [{unit}], got {value!r}: the unit stands in the head")
         return f"{value} {unit}"
+    if key == "name":
+        return str(value)
     if isinstance(value, str) and (number := _number(value)) is not None:
         return number
-    return value
+    # Columns with gaps hold counts as floats.
+    return int(value) if isinstance(value, float) and value.is_integer() else value
 
 
 def _number(value: Any) -> int | float | None:

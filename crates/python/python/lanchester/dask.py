@@ -38,6 +38,9 @@ __all__ = ["Blocks", "BlockError", "Plan", "Refusal", "explore", "map", "plan", 
 PARTS = 256
 """Tables of a study, where it has so many blocks, unless `parts` says otherwise."""
 
+LONELY = 30.0
+"""After so many seconds without a worker it is said that there is none [s]."""
+
 TRIES = 5
 """So often is a block computed whose worker or future got lost before it is given up."""
 
@@ -348,6 +351,9 @@ def plan(engine: Engine, *, cores: int, core_hour_price: float = 0.0, samples: i
     >>> found.cases, found.hours > 0
     (110592, True)
     """
+    for name, count in (("cores", cores), ("samples", samples)):
+        if count < 1:
+            raise RequestError(f"`{name}` needs a whole number from 1, got {count}", "a plan is for one core at least, from one block at least")
     study = _layouts(engine, rows, options)
     of = study.blocks
     places = sorted({number * of // samples for number in range(samples)} | {0})
@@ -364,6 +370,8 @@ def plan(engine: Engine, *, cores: int, core_hour_price: float = 0.0, samples: i
 
 
 def _run(study: Study, folder: str | PathLike[str], client: Any, parts: int | None, shared: bool) -> Blocks:
+    if client is not None and not hasattr(client, "submit"):
+        raise RequestError(f"`client` needs a client of Dask, got `{type(client).__name__}`", "give client=distributed.Client(...), or leave it out to compute here")
     if parts is not None and parts < 1:
         raise RequestError(f"`parts` needs a whole number from 1, got {parts}", "leave it out for its usual value")
     tables = Tables(folder, study)
@@ -423,6 +431,7 @@ class _Cluster:
         self.unfit: set[str] = set()
         self.refusals: list[Refusal] = []
         self.given_up: list[Refusal] = []
+        self.lonely: float | None = None
         # The same question of all blocks, but of a study of engines.
         self.ask = study.ask(0, study.blocks) if study.pick is None else None
 
@@ -450,6 +459,7 @@ class _Cluster:
 
     def _submit(self) -> None:
         threads = self.client.nthreads()
+        self._alone(bool(threads))
         fit = [worker for worker in threads if worker not in self.unfit]
         if threads and not fit and self.waiting:
             # Nobody is left who could: what is told is why.
@@ -475,6 +485,18 @@ class _Cluster:
                 pure=False,
             )
             self.running[future] = (first, end)
+
+    def _alone(self, has_workers: bool) -> None:
+        """Says once that nobody is there to compute: workers that wait in a queue come yet, those that are gone for good do not."""
+        now = time.monotonic()
+        if has_workers:
+            self.lonely = None
+        elif self.lonely is None:
+            self.lonely = now
+        elif self.lonely >= 0.0 and now - self.lonely > LONELY:
+            count = len(self.waiting) + len(self.running)
+            warnings.warn(f"the cluster has had no worker for {LONELY:.0f} s; {count} stretch{'es' if count > 1 else ''} of blocks wait for one, Ctrl-C stops the waiting", stacklevel=6)
+            self.lonely = -1.0
 
     def _lost(self) -> None:
         """Submits again what waits for workers that are gone."""

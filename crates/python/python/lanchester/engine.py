@@ -11,6 +11,8 @@ from os import PathLike
 from pathlib import Path
 from typing import Any, Literal, TypeVar, overload
 
+import numpy as np
+
 from . import _native
 from ._record import FloatArray, Picture, Result
 from .errors import Diagnostic, RequestError
@@ -55,6 +57,31 @@ Quantities = Quantity | Sequence[Quantity]
 def _again(text: str, folder: Path | None) -> Engine:
     """An engine as it was, from a text and the place of the files that it names."""
     return Engine(_native.Engine.of_text(text, "<text>", folder))
+
+
+def _put(path: str | PathLike[str], content: bytes, overwrite: bool) -> Path:
+    """Writes a file."""
+    place = Path(path)
+    try:
+        with place.open("wb" if overwrite else "xb") as file:
+            file.write(content)
+    except FileExistsError:
+        raise RequestError(f"{place} exists and is not overwritten", "choose another name, or add overwrite=True") from None
+    except OSError as error:
+        raise RequestError(f"cannot write {place}: {error.strerror or error}", "choose a folder that is there and can be written to") from error
+    return place
+
+
+def _natives(engines: Sequence[Engine]) -> list[_native.Engine]:
+    """The engines as Rust holds them."""
+    if isinstance(engines, Engine):
+        raise RequestError("a list of engines is needed, got one engine", "write [engine], or `engine.variants(...)`")
+    found = []
+    for place, engine in enumerate(engines):
+        if not isinstance(engine, Engine):
+            raise RequestError(f"engines are needed, got `{type(engine).__name__}` at index {place}", 'make one by Engine.read("...") or Engine.template("...")')
+        found.append(engine._native)
+    return found
 
 
 class Engine:
@@ -218,13 +245,7 @@ class Engine:
         ...     path.name
         'single.toml'
         """
-        place = Path(path)
-        try:
-            with place.open("w" if overwrite else "x", encoding="utf-8", newline="") as file:
-                file.write(self.text)
-        except FileExistsError:
-            raise RequestError(f"{place} exists and is not overwritten", "choose another name, or add overwrite=True") from None
-        return place
+        return _put(path, self.text.encode(), overwrite)
 
     def save_solids(
         self,
@@ -252,17 +273,12 @@ class Engine:
         place = Path(path)
         options = {"weight": weight, "shaft": shaft, "crankshaft": crankshaft, "facet": facet}
         content = self._native.solids(place.suffix.lower().removeprefix("."), options)
-        try:
-            with place.open("wb" if overwrite else "xb") as file:
-                file.write(content)
-        except FileExistsError:
-            raise RequestError(f"{place} exists and is not overwritten", "choose another name, or add overwrite=True") from None
-        return place
+        return _put(place, content, overwrite)
 
     def with_(self, changes: Mapping[str, Any] | None = None, /, **tables: Any) -> Engine:
         """A copy with other values of keys of the engine file; comments and order are preserved.
 
-        Keywords are keys and tables of the file, `changes` has paths such as ``"cylinder[1].piston.mass"`` (indices from 0). A dictionary
+        Keywords are keys and tables of the file, `changes` has paths such as ``"counterweight[1].unbalance"`` (indices from 0 count entries of the file). A dictionary
         changes the keys that it names, ``None`` takes a key out, a list of dictionaries replaces a list of tables.
 
         >>> from lanchester import Engine
@@ -452,12 +468,10 @@ class Engine:
         the file and their supply pressure, which takes seconds a bearing; by default where ``"mass-conserving"`` is asked for. `dynamic`: the crankshaft as a rigid body
         with its mass that floats in the films of its mains, which share its loads.
 
-        >>> import lanchester
-        >>> try:
-        ...     lanchester.Engine.template("in-line-4").films()
-        ... except lanchester.RequestError as error:
-        ...     error.code
-        'BearingFilmsError.NoSizes'
+        >>> from lanchester import Engine
+        >>> found = Engine.template("single").complete().films("3000 rpm")
+        >>> found.films[0].kind, found.films[0].orbit.outcome
+        ('main', 'periodic')
         """
         options = {
             "speed": speed,
@@ -521,12 +535,10 @@ class Engine:
         `speeds` [rad/s]; without them `steps` speeds over the range of the engine. `rotors`: what acts of all that turns
         in the block, its gyroscopic couple, that its inertia does not follow the roll, both or neither.
 
-        >>> import lanchester
-        >>> try:
-        ...     lanchester.Engine.template("in-line-4").mounts()
-        ... except lanchester.RequestError as error:
-        ...     "mount" in error.message
-        True
+        >>> from lanchester import Engine
+        >>> found = Engine.template("in-line-4").complete().mounts("3000 rpm")
+        >>> len(found.modes.modes)
+        6
         """
         options = {
             "speeds": speeds,
@@ -670,12 +682,10 @@ class Engine:
 
         `weight`: names of counterweights; `unbalance` [kg m] where it is not that of the weight. ``result.adopt()`` is the engine with the shapes.
 
-        >>> import lanchester
-        >>> try:
-        ...     lanchester.Engine.template("single").counterweight()
-        ... except lanchester.RequestError as error:
-        ...     print(error.message)
-        the shapes to search are not given
+        >>> from lanchester import Engine
+        >>> found = Engine.template("single").complete().counterweight()
+        >>> [weight.name for weight in found.weights]
+        ['web 1', 'web 2']
         """
         return self._ask("counterweight_design", CounterweightDesigns, {"weight": weight, "unbalance": unbalance})
 
@@ -683,12 +693,8 @@ class Engine:
         """Crankshaft and counterweights as parts, and their clearances over the cycle.
 
         >>> from lanchester import Engine
-        >>> import lanchester
-        >>> try:
-        ...     Engine.template("in-line-4").counterweight_check()
-        ... except lanchester.RequestError as error:
-        ...     error.code
-        'CounterweightError.NoPart'
+        >>> Engine.template("single").complete().counterweight_check().is_kept
+        True
         """
         return self._ask("counterweight_check", CounterweightCheck, {})
 
@@ -946,11 +952,9 @@ class Engine:
         `angle` [rad], one or several, else the angles of the largest forces; `size` of the elements [m]; `submodel`: index of a throw whose bay, between the main
         journals beside it, is solved again with more elements across its fillets (`submodel_elements`, else 6 as a rule); `memory` [byte].
 
-        >>> import lanchester
-        >>> try:
-        ...     lanchester.Engine.template("single").stress()
-        ... except lanchester.RequestError as error:
-        ...     "crank.body" in str(error)
+        >>> from lanchester import Engine
+        >>> found = Engine.template("single").complete().stress(angle=0.0, size="20 mm", fillet_elements=2)
+        >>> max(peak.stress.von_mises for peak in found.cases[0].result.peaks) > 0
         True
         """
         options = {
@@ -982,11 +986,9 @@ class Engine:
     ) -> CrankModes:
         """Natural frequencies of the crankshaft at rest. The file has a section ``[crank.body]``.
 
-        >>> import lanchester
-        >>> try:
-        ...     lanchester.Engine.template("single").modes()
-        ... except lanchester.RequestError as error:
-        ...     "crank.body" in str(error)
+        >>> from lanchester import Engine
+        >>> found = Engine.template("single").complete().modes(2, size="20 mm", fillet_elements=2)
+        >>> found.modes.modes[0].frequency > 100
         True
         """
         options = {
@@ -1058,12 +1060,10 @@ class Engine:
         finite elements beside those of the formulas, each throw meshed with elements of `size` [m] and `fillet_elements` across a fillet, an even
         number from 6 on.
 
-        >>> import lanchester
-        >>> try:
-        ...     lanchester.Engine.template("single").strength()
-        ... except lanchester.RequestError as error:
-        ...     error.message != ""
-        True
+        >>> from lanchester import Engine
+        >>> rule = Engine.template("single").complete().strength()
+        >>> rule.acceptable
+        1.15
         """
         options = {
             "speed": speed,
@@ -1075,6 +1075,20 @@ class Engine:
             "fillet_elements": fillet_elements,
         }
         return self._ask("stress_rule", CrankRule, options)
+
+
+def _column(path: str, values: Any) -> Any:
+    """The values of a key, one for each engine: an array of floats, or a list of whatever an engine file holds."""
+    if isinstance(values, (str, bytes, Mapping)) or not hasattr(values, "__iter__"):
+        raise RequestError(f"`{path}` needs one value for each engine, got {values!r}", "give a list or an array of one dimension; a value that all have goes into `with_`")
+    if hasattr(values, "to_numpy"):
+        values = values.to_numpy()
+    if not isinstance(values, np.ndarray):
+        return list(values)
+    if values.ndim != 1:
+        raise RequestError(f"`{path}` needs numbers in one row, got an array of {values.ndim} dimensions", "give a list or an array of one dimension")
+    # Counts, texts and gaps are no floats.
+    return values if values.dtype.kind == "f" and not isinstance(values, np.ma.MaskedArray) else values.tolist()
 
 
 class Variants(Sequence[Engine]):
@@ -1097,7 +1111,7 @@ class Variants(Sequence[Engine]):
         if not columns:
             raise RequestError("variants need a key that varies", 'write variants({"rod.length": [0.14, 0.15]})')
         self.engine = engine
-        self.columns = {path: list(values) if not hasattr(values, "__len__") else values for path, values in columns.items()}
+        self.columns = {path: _column(path, values) for path, values in columns.items()}
         lengths = {path: len(values) for path, values in self.columns.items()}
         if len(set(lengths.values())) > 1:
             named = ", ".join(f"`{path}` has {count}" for path, count in lengths.items())
@@ -1125,22 +1139,84 @@ _KINDS: dict[str, tuple[str, type[Result]]] = {
     "bending": ("bending", Bending),
     "torque": ("torque", TorqueReport),
     "bearings": ("bearings", Bearings),
+    "films": ("films", BearingFilms),
+    "torsion": ("torsion", TorsionResult),
     "mounts": ("mounts", MountStudy),
     "inertias": ("inertias", Inertias),
     "balance": ("balance", Balance),
+    "robust_balance": ("robust_balance", RobustAnswer),
+    "arrangements": ("arrangements", Arrangements),
+    "counterweight": ("counterweight_design", CounterweightDesigns),
+    "counterweight_check": ("counterweight_check", CounterweightCheck),
     "workshop": ("balance_factor", FactorAnswer),
+    "scatter": ("scatter", ScatterStudy),
     "sensitivity": ("sensitivity", Sensitivity),
     "simulate": ("simulate", SimulationResult),
     "crosscheck": ("crosscheck", CrossCheck),
+    "bondgraph": ("bondgraph", BondGraph),
+    "stress": ("stress_static", StaticStress),
+    "modes": ("stress_modes", CrankModes),
+    "fatigue": ("stress_fatigue", CrankFatigue),
+    "strength": ("stress_rule", CrankRule),
 }
 
 
+@overload
+def map(question: str, engines: Sequence[Engine], pick: str | Sequence[str], **options: Any) -> dict[str, FloatArray]: ...
+@overload
+def map(question: Literal["loads"], engines: Sequence[Engine], pick: None = None, **options: Any) -> list[Loads]: ...
+@overload
+def map(question: Literal["bending"], engines: Sequence[Engine], pick: None = None, **options: Any) -> list[Bending]: ...
+@overload
+def map(question: Literal["torque"], engines: Sequence[Engine], pick: None = None, **options: Any) -> list[TorqueReport]: ...
+@overload
+def map(question: Literal["bearings"], engines: Sequence[Engine], pick: None = None, **options: Any) -> list[Bearings]: ...
+@overload
+def map(question: Literal["films"], engines: Sequence[Engine], pick: None = None, **options: Any) -> list[BearingFilms]: ...
+@overload
+def map(question: Literal["torsion"], engines: Sequence[Engine], pick: None = None, **options: Any) -> list[TorsionResult]: ...
+@overload
+def map(question: Literal["mounts"], engines: Sequence[Engine], pick: None = None, **options: Any) -> list[MountStudy]: ...
+@overload
+def map(question: Literal["inertias"], engines: Sequence[Engine], pick: None = None, **options: Any) -> list[Inertias]: ...
+@overload
+def map(question: Literal["balance"], engines: Sequence[Engine], pick: None = None, **options: Any) -> list[Balance]: ...
+@overload
+def map(question: Literal["robust_balance"], engines: Sequence[Engine], pick: None = None, **options: Any) -> list[RobustAnswer]: ...
+@overload
+def map(question: Literal["arrangements"], engines: Sequence[Engine], pick: None = None, **options: Any) -> list[Arrangements]: ...
+@overload
+def map(question: Literal["counterweight"], engines: Sequence[Engine], pick: None = None, **options: Any) -> list[CounterweightDesigns]: ...
+@overload
+def map(question: Literal["counterweight_check"], engines: Sequence[Engine], pick: None = None, **options: Any) -> list[CounterweightCheck]: ...
+@overload
+def map(question: Literal["workshop"], engines: Sequence[Engine], pick: None = None, **options: Any) -> list[FactorAnswer]: ...
+@overload
+def map(question: Literal["scatter"], engines: Sequence[Engine], pick: None = None, **options: Any) -> list[ScatterStudy]: ...
+@overload
+def map(question: Literal["sensitivity"], engines: Sequence[Engine], pick: None = None, **options: Any) -> list[Sensitivity]: ...
+@overload
+def map(question: Literal["simulate"], engines: Sequence[Engine], pick: None = None, **options: Any) -> list[SimulationResult]: ...
+@overload
+def map(question: Literal["crosscheck"], engines: Sequence[Engine], pick: None = None, **options: Any) -> list[CrossCheck]: ...
+@overload
+def map(question: Literal["bondgraph"], engines: Sequence[Engine], pick: None = None, **options: Any) -> list[BondGraph]: ...
+@overload
+def map(question: Literal["stress"], engines: Sequence[Engine], pick: None = None, **options: Any) -> list[StaticStress]: ...
+@overload
+def map(question: Literal["modes"], engines: Sequence[Engine], pick: None = None, **options: Any) -> list[CrankModes]: ...
+@overload
+def map(question: Literal["fatigue"], engines: Sequence[Engine], pick: None = None, **options: Any) -> list[CrankFatigue]: ...
+@overload
+def map(question: Literal["strength"], engines: Sequence[Engine], pick: None = None, **options: Any) -> list[CrankRule]: ...
+@overload
+def map(question: str, engines: Sequence[Engine], pick: None = None, **options: Any) -> list[Any]: ...
 def map(
     question: str,
     engines: Sequence[Engine],
     pick: str | Sequence[str] | None = None,
     **options: Any,
-) -> Any:
+) -> dict[str, FloatArray] | list[Any]:
     """One question about many engines in one call, on all processors.
 
     `question` is the name of a method of :class:`Engine`, `options` are its arguments. Without `pick` it returns the results; with paths of numbers
@@ -1163,11 +1239,13 @@ def map(
     if isinstance(engines, Variants):
         natives, columns = [engines.engine._native], engines.columns
     else:
-        natives, columns = [engine._native for engine in engines], None
+        engines = engines if isinstance(engines, Engine) else list(engines)
+        natives, columns = _natives(engines), None
     paths = [pick] if isinstance(pick, str) else pick
-    found = _native.map(name, natives, options, columns, None if paths is None else list(paths))
+    found: Any = _native.map(name, natives, options, columns, None if paths is None else list(paths))
     if paths is not None:
-        return found
+        picked: dict[str, FloatArray] = found
+        return picked
     if isinstance(engines, Variants):
         return [kind._made(answer, (engines.engine,)) for answer in found]
     return [kind._made(answer, (engine,)) for answer, engine in zip(found, engines, strict=True)]
@@ -1210,7 +1288,8 @@ def compare(
         "optimum": optimum,
         "finite_elements": finite_elements,
     }
-    answer = _native.ask_all("compare", [engine._native for engine in engines], options)
+    engines = engines if isinstance(engines, Engine) else list(engines)
+    answer = _native.ask_all("compare", _natives(engines), options)
     return Comparison._made(answer, tuple(engines))
 
 

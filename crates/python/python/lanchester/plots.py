@@ -32,10 +32,10 @@ def plot(result: Result) -> Figure:
         known = ", ".join(kind.__name__ for kind in _DRAWN)
         raise RequestError(f"there is no plot of {type(result).__name__}", f"`figures` has the report's pictures; plots are of {known}")
     try:
-        from matplotlib.figure import Figure
+        from ._figure import ShownFigure
     except ImportError as error:
         raise LanchesterError("plots need Matplotlib, which is not installed", "pip install matplotlib") from error
-    figure = Figure(figsize=(9.0, 3.6), layout="constrained")
+    figure = ShownFigure(figsize=(9.0, 3.6), layout="constrained")
     draw(result, figure)
     return figure
 
@@ -183,6 +183,120 @@ def _layouts(found: results.Exploration, figure: Figure) -> None:
     axes.legend(frameon=False)
 
 
+def _bending(found: results.Bending, figure: Figure) -> None:
+    axes = figure.subplots()
+    for case, style in zip(found.cases, ("-", "--"), strict=False):
+        words = "with counterweights" if case.counterweights else "without counterweights"
+        for own in case.crankshafts:
+            for name, model, colour in (("free beam", own.free_beam, FORWARD), ("throw by throw", own.throw_by_throw, BACKWARD)):
+                at = [1e3 * station.z for station in model.stations]
+                axes.plot(at, [station.largest_moment.value for station in model.stations], style, color=colour, label=f"{name}, {words}")
+    axes.set(title="Largest bending moment along the crankshaft", xlabel="z [mm]", ylabel="bending moment [N m]")
+    axes.legend(frameon=False, fontsize=8)
+
+
+def _films(found: results.BearingFilms, figure: Figure) -> None:
+    axes = figure.subplots()
+    several = len(set(found.films.column("cavitation"))) > 1
+    for own in found.films:
+        place = np.asarray(own.orbit.eccentricity)
+        film = own.bearing.clearance - _size(place)
+        turn = np.arange(len(film)) * found.period / len(film) / DEGREE
+        label = f"{'main' if own.kind == 'main' else 'big end'} {own.number}{', ' + own.cavitation if several else ''}"
+        axes.plot(turn, 1e6 * film, "-" if own.kind == "main" else "--", label=label)
+    axes.set(title=f"Thinnest film: {found.engine}, {found.speed / RPM:.0f} rpm", xlabel="crank angle [deg]", ylabel="film [um]")
+    axes.set_ylim(bottom=0.0)
+    figure.legend(loc="outside right center", frameon=False, fontsize=8)
+
+
+def _torsion(found: results.TorsionResult, figure: Figure) -> None:
+    axes = figure.subplots()
+    sweep, twist = found.sweep, found.sweep.twist
+    speeds = np.asarray(sweep.speeds) / RPM
+    orders = np.asarray(sweep.orders)
+    by_order = [np.asarray(own) / DEGREE for own in twist.by_order]
+    for place in sorted(range(len(by_order)), key=lambda place: -float(by_order[place].max(initial=0.0)))[:4]:
+        axes.plot(speeds, by_order[place], linewidth=1, label=f"order {orders[place]:g}")
+    axes.plot(speeds, np.asarray(twist.total) / DEGREE, color="black", label="all orders in true phase")
+    axes.set(title=f"Twist between nose and flywheel: {found.engine}", xlabel="speed [rpm]", ylabel="amplitude [deg]")
+    axes.legend(frameon=False, fontsize=8)
+
+
+def _modes(found: results.CrankModes, figure: Figure) -> None:
+    axes = figure.subplots()
+    modes = found.modes.modes
+    shares = np.array([np.asarray(own.shares)[:4] for own in modes])
+    below = np.zeros(len(modes))
+    for place, name in enumerate(("along x", "along y", "torsion", "axial")):
+        axes.bar(np.arange(len(modes)), 100 * shares[:, place], bottom=below, label=name)
+        below += 100 * shares[:, place]
+    axes.set_xticks(np.arange(len(modes)), [f"{own.frequency:.4g} Hz" for own in modes], rotation=30, fontsize=8)
+    axes.set(title=f"Natural modes: {found.sheet.engine}", xlabel=f"supports: {found.support}", ylabel="share of the kinetic energy [%]")
+    figure.legend(loc="outside right center", frameon=False, fontsize=8)
+
+
+def _fillets(axes: Any, names: list[str], values: Any, limit: float | None) -> None:
+    axes.barh(np.arange(len(names)), values, color=FORWARD)
+    axes.set_yticks(np.arange(len(names)), names, fontsize=7)
+    axes.invert_yaxis()
+    if limit is not None:
+        axes.axvline(limit, color=BACKWARD, linewidth=1)
+
+
+def _stress(found: results.StaticStress, figure: Figure) -> None:
+    axes = figure.subplots()
+    largest: dict[str, float] = {}
+    for case in found.cases:
+        for peak in case.result.peaks:
+            if peak.stress is not None:
+                largest[peak.name] = max(largest.get(peak.name, 0.0), peak.stress.von_mises)
+    _fillets(axes, list(largest), 1e-6 * np.array(list(largest.values())), None)
+    axes.set(title=f"Largest stress of every fillet: {found.sheet.engine}", xlabel="von Mises stress [MPa]")
+
+
+def _fatigue(found: results.CrankFatigue, figure: Figure) -> None:
+    axes = figure.subplots()
+    least: dict[str, float] = {}
+    for speed in found.speeds:
+        for own in speed.fillets:
+            safety = own.point.safety_of_all
+            least[own.name] = min(least.get(own.name, np.inf), np.inf if safety is None else safety)
+    names = [name for name, safety in least.items() if np.isfinite(safety)]
+    _fillets(axes, names, [least[name] for name in names], 1.0)
+    axes.set(title=f"Safety against fatigue: {found.sheet.engine}", xlabel="times that all stress may become larger [1]")
+
+
+def _strength(found: results.CrankRule, figure: Figure) -> None:
+    axes = figure.subplots()
+    least: dict[str, float] = {}
+    for speed in found.speeds:
+        for throw in speed.throws:
+            for web in throw.webs:
+                for what, sheet in (("pin", web.pin_fillet), ("journal", web.journal_fillet)):
+                    if sheet is not None:
+                        name = f"web {web.web}, {what}"
+                        least[name] = min(least.get(name, np.inf), sheet.safety)
+    _fillets(axes, list(least), list(least.values()), found.acceptable)
+    axes.set(title=f"Safety by the formulas of UR M53: {found.engine}", xlabel="safety Q [1]")
+
+
+def _crosscheck(found: results.CrossCheck, figure: Figure) -> None:
+    axes = figure.subplots()
+    for place, condition in enumerate(found.conditions):
+        rows = [own for own in condition.rows if own.scale > 0.0]
+        difference = np.array([max(own.difference / own.scale, 1e-17) for own in rows])
+        colours = [{"agrees": FORWARD, "disagrees": "#c1121f"}.get(own.verdict, LIMIT) for own in rows]
+        axes.scatter(difference, np.full(len(rows), place), c=colours, s=14)
+    axes.set_yticks(np.arange(len(found.conditions)), [own.condition for own in found.conditions])
+    axes.set_xscale("log")
+    axes.margins(y=0.2)
+    axes.invert_yaxis()
+    for colour, name in ((FORWARD, "agrees"), (LIMIT, "differs as it must"), ("#c1121f", "disagrees")):
+        axes.scatter([], [], c=colour, s=14, label=name)
+    axes.set(title=f"Two opinions: {found.engine}", xlabel="difference over the largest of its kind")
+    axes.legend(frameon=False, fontsize=8)
+
+
 _DRAWN: dict[type[Result], Callable[[Any, Figure], None]] = {
     results.Loads: _loads,
     results.TorqueReport: _torque,
@@ -194,4 +308,12 @@ _DRAWN: dict[type[Result], Callable[[Any, Figure], None]] = {
     results.Sensitivity: _sensitivity,
     results.SimulationResult: _simulation,
     results.Exploration: _layouts,
+    results.Bending: _bending,
+    results.BearingFilms: _films,
+    results.TorsionResult: _torsion,
+    results.CrossCheck: _crosscheck,
+    results.StaticStress: _stress,
+    results.CrankModes: _modes,
+    results.CrankFatigue: _fatigue,
+    results.CrankRule: _strength,
 }

@@ -1509,12 +1509,17 @@ class BondGraph(Result):
     """The bond graph of an engine: its file, its causality and its equations."""
 
     __slots__ = ()
-    _FIELDS = ("causality", "engine", "equations", "graph", "latex", "modelica", "notes",)
+    _FIELDS = ("causality", "drawing", "engine", "equations", "graph", "latex", "modelica", "notes",)
 
     @property
     def causality(self) -> str:
         """The causality, step by step, in words."""
         return self._get("causality")  # type: ignore[no-any-return]
+
+    @property
+    def drawing(self) -> str:
+        """The drawing of the graph with its causality, as SVG."""
+        return self._get("drawing")  # type: ignore[no-any-return]
 
     @property
     def engine(self) -> str:

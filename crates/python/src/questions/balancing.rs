@@ -158,7 +158,7 @@ fn read_balance(options: &Options<'_>) -> Result<Run, Failure> {
             }
         }
         found.warnings = warnings;
-        let shown = Shown { text, tables, figures, adopted: Some(adopted) };
+        let shown = Shown { text, tables, figures, adopted: Some(adopted), ..Shown::default() };
         Ok(Data::new(found, own, shown))
     }))
 }
@@ -315,7 +315,7 @@ fn read_arrangements(options: &Options<'_>) -> Result<Run, Failure> {
                 text: |found, _| arrangements_text(found, true),
                 tables: |found, _| found.spacings.iter().map(|own| front_table(found, own, true)).collect(),
                 figures: |found, _| vec![arrangement_figure(found)],
-                adopted: None,
+                ..Shown::default()
             },
         ))
     }))

@@ -1,6 +1,6 @@
 //! The crankshaft as a body: counterweights as parts, stress, modes, strength.
 
-use crate::answer::{Data, Shown};
+use crate::answer::{Data, Shown, figures_of, tables_of};
 use crate::failure::Failure;
 use crate::options::Options;
 use crate::prepared::Prepared;
@@ -11,8 +11,9 @@ use lanchester::flex::sparse::Precision;
 use lanchester::flex::statics::SolveOptions;
 use lanchester::geometry::{Design, DesignOutcome};
 use lanchester::report::{
-    CrankFatigue, CrankModes, CrankRule, FatigueFactors, StaticStress, clearances_table,
-    counterweight_parts_table, crank_sections_table, drawing, fatigue_text, modes_text, rule_text,
+    CrankFatigue, CrankModes, CrankRule, DesignedShape, FatigueFactors, StaticStress, clearances_table,
+    counterweight_drawings, counterweight_parts_table, crank_sections_table, designed_dimensions_table,
+    designed_properties_table, drawing, fatigue_text, modes_text, rule_section, rule_text,
     shaft_weight_parts_table, static_stress_text,
 };
 use lanchester::{
@@ -44,16 +45,50 @@ fn read_design(options: &Options<'_>) -> Result<Run, Failure> {
         };
         let request = CounterweightRequest { weights: weights.clone(), unbalance, task, evolution: None };
         let found = design_counterweights(own.engine(), &request).map_err(Failure::refused)?;
-        Ok(Data::new(found, own, Shown { adopted: Some(adopted), ..Shown::default() }))
+        Ok(Data::new(
+            found,
+            own,
+            Shown {
+                tables: |found, _| {
+                    let shapes = shapes(found);
+                    match shapes.is_empty() {
+                        true => Vec::new(),
+                        false => vec![designed_properties_table(&shapes), designed_dimensions_table(&shapes)],
+                    }
+                },
+                figures: |found, engine| {
+                    let fitted = with_counterweights(engine, &designs(found), found.task.density);
+                    fitted.map_or(Vec::new(), |fitted| counterweight_drawings(&fitted))
+                },
+                adopted: Some(adopted),
+                ..Shown::default()
+            },
+        ))
     }))
 }
 
-fn adopted(found: &CounterweightDesigns, own: &Prepared, _: Option<usize>) -> Result<Arc<Prepared>, Failure> {
+/// The designs that were found, by the index of their weight.
+fn designs(found: &CounterweightDesigns) -> Vec<(usize, Design)> {
     let designs = found.weights.iter().filter_map(|weight| match &weight.outcome {
         DesignOutcome::Found(best) => Some((weight.index, best.design)),
         DesignOutcome::Infeasible(_) => None,
     });
-    let designs: Vec<(usize, Design)> = designs.collect();
+    designs.collect()
+}
+
+/// The same with the names of their weights.
+fn shapes(found: &CounterweightDesigns) -> Vec<DesignedShape<'_>> {
+    let shapes = found.weights.iter().filter_map(|weight| match &weight.outcome {
+        DesignOutcome::Found(best) => {
+            Some(DesignedShape { names: &weight.name, duty: weight.duty, design: &best.design })
+        }
+        DesignOutcome::Infeasible(_) => None,
+    });
+    shapes.collect()
+}
+
+fn adopted(found: &CounterweightDesigns, own: &Prepared, _: Option<usize>) -> Result<Arc<Prepared>, Failure> {
+    let designs = designs(found);
     if designs.is_empty() {
         return Err(Failure::option(
             "no shape of these ranges has the unbalance",
@@ -82,7 +117,7 @@ fn read_check(_: &Options<'_>) -> Result<Run, Failure> {
                     tables
                 },
                 figures: |_, engine| vec![drawing(engine)],
-                adopted: None,
+                ..Shown::default()
             },
         ))
     }))
@@ -107,9 +142,21 @@ impl AskedMesh {
 
     /// `usual`: elements across a fillet where nobody says how many.
     fn of(self, own: &Prepared, usual: usize) -> Result<StressMesh, Failure> {
+        crankshaft_of(own, self.crankshaft)?;
         let usual = CrankMeshOptions { fillet_elements: usual, ..CrankMeshOptions::default() };
         let task = own.file.tasks.stress.as_ref();
         own.mesh(StressMesh::of(task, self.crankshaft, self.size, self.fillet_elements, usual))
+    }
+}
+
+/// Refuses a crankshaft that the engine has not, by its index.
+fn crankshaft_of(own: &Prepared, index: usize) -> Result<(), Failure> {
+    match own.engine().crankshafts.len() {
+        count if index >= count => Err(Failure::option(
+            format_args!("`crankshaft` needs an index from 0 to {}, got {index}", count.saturating_sub(1)),
+            "indices count from 0",
+        )),
+        _ => Ok(()),
     }
 }
 
@@ -175,7 +222,16 @@ fn read_static(options: &Options<'_>) -> Result<Run, Failure> {
         let request = StaticRequest { mesh: mesh.of(own, 6)?, ..request.clone() };
         let traces = if request.gas { own.traces()? } else { &[] };
         let found = static_stress(own.engine(), traces, &request, &|_| ()).map_err(Failure::refused)?;
-        Ok(Data::new(found, own, Shown { text: |found, _| static_stress_text(found), ..Shown::default() }))
+        Ok(Data::new(
+            found,
+            own,
+            Shown {
+                text: |found, _| static_stress_text(found),
+                tables: |found, _| tables_of(found.section()),
+                figures: |found, _| figures_of(found.section()),
+                ..Shown::default()
+            },
+        ))
     }))
 }
 
@@ -191,7 +247,16 @@ fn read_modes(options: &Options<'_>) -> Result<Run, Failure> {
         let own = &engines[0];
         let request = ModesRequest { mesh: mesh.of(own, 2)?, ..request.clone() };
         let found = crank_modes(own.engine(), &request, &|_| ()).map_err(Failure::refused)?;
-        Ok(Data::new(found, own, Shown { text: |found, _| modes_text(found), ..Shown::default() }))
+        Ok(Data::new(
+            found,
+            own,
+            Shown {
+                text: |found, _| modes_text(found),
+                tables: |found, _| tables_of(found.section()),
+                figures: |found, _| figures_of(found.section()),
+                ..Shown::default()
+            },
+        ))
     }))
 }
 
@@ -222,7 +287,15 @@ fn read_fatigue(options: &Options<'_>) -> Result<Run, Failure> {
         let request = FatigueRequest { mesh: mesh.of(own, 6)?, ..request.clone() };
         let traces = if request.gas { own.traces()? } else { &[] };
         let found = crank_fatigue(own.engine(), traces, &request, &|_| ()).map_err(Failure::refused)?;
-        Ok(Data::new(found, own, Shown { text: |found, _| fatigue_text(found), ..Shown::default() }))
+        Ok(Data::new(
+            found,
+            own,
+            Shown {
+                text: |found, _| fatigue_text(found),
+                tables: |found, _| found.speeds.iter().map(|own| found.table(own)).collect(),
+                ..Shown::default()
+            },
+        ))
     }))
 }
 
@@ -237,6 +310,7 @@ fn read_rule(options: &Options<'_>) -> Result<Run, Failure> {
     let mesh = AskedMesh::read(options)?;
     Ok(Box::new(move |engines, _| {
         let own = &engines[0];
+        crankshaft_of(own, request.crankshaft)?;
         let traces = if request.gas { own.traces()? } else { &[] };
         let found = crank_rule(own.engine(), traces, &request).map_err(Failure::refused)?;
         let found = match by_elements {
@@ -246,6 +320,16 @@ fn read_rule(options: &Options<'_>) -> Result<Run, Failure> {
             }
             false => found,
         };
-        Ok(Data::new(found, own, Shown { text: |found, _| rule_text(found), ..Shown::default() }))
+        Ok(Data::new(
+            found,
+            own,
+            Shown {
+                text: |found, _| rule_text(found),
+                tables: |found, _| {
+                    rule_section(std::slice::from_ref(found)).map(tables_of).unwrap_or_default()
+                },
+                ..Shown::default()
+            },
+        ))
     }))
 }

@@ -5,7 +5,8 @@ use crate::failure::Failure;
 use crate::options::Options;
 use crate::question::{How, Question, Run};
 use lanchester::bondgraph::{
-    Graph, Notation, causality_text, equations, equations_latex, equations_text, graph_file, modelica,
+    Graph, Notation, causality_text, drawing, equations, equations_latex, equations_text, graph_file,
+    modelica,
 };
 use lanchester::file::{StartOfRun, event_from_words, start_from_words};
 use lanchester::model::NamedPoint;
@@ -194,6 +195,8 @@ struct BondGraph {
     latex: String,
     /// The graph as a model of Modelica.
     modelica: String,
+    /// The drawing of the graph with its causality, as SVG.
+    drawing: String,
 }
 
 fn read_bondgraph(options: &Options<'_>) -> Result<Run, Failure> {
@@ -225,6 +228,7 @@ fn read_bondgraph(options: &Options<'_>) -> Result<Run, Failure> {
             equations: equations_text(&solved.shown(Notation::Text)),
             latex: equations_latex(&solved.shown(Notation::Latex)),
             modelica: modelica(&solved),
+            drawing: drawing(&graph, &solved.causality),
             graph: file.clone(),
         };
         Ok(Data::new(
@@ -232,6 +236,10 @@ fn read_bondgraph(options: &Options<'_>) -> Result<Run, Failure> {
             own,
             Shown {
                 text: |found, _| format!("{}\n{}", found.causality, found.equations),
+                drawing: |found| {
+                    let title = format!("Bond graph of {}", found.engine);
+                    Some(["bond-graph".to_owned(), title, found.drawing.clone()])
+                },
                 ..Shown::default()
             },
         ))

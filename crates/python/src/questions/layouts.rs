@@ -282,6 +282,7 @@ fn answer(
                 false => vec![layout_front_figure(&found.answer)],
             },
             adopted: Some(adopted),
+            ..Shown::default()
         },
     ))
 }

@@ -157,7 +157,7 @@ fn read_loads(options: &Options<'_>) -> Result<Run, Failure> {
                         .cloned()
                         .collect()
                 },
-                adopted: None,
+                ..Shown::default()
             },
         ))
     }))
@@ -192,7 +192,7 @@ fn read_bending(options: &Options<'_>) -> Result<Run, Failure> {
                     vec![internal_table(engine, cases), mains_table(engine, cases)]
                 },
                 figures: |found, engine| internal_figures(engine, &found.cases),
-                adopted: None,
+                ..Shown::default()
             },
         ))
     }))
@@ -227,7 +227,7 @@ fn read_mounts(options: &Options<'_>) -> Result<Run, Failure> {
                 text: |found, _| mounts_text(found),
                 tables: |found, _| mount_tables(found),
                 figures: |found, engine| mount_figures(engine, found),
-                adopted: None,
+                ..Shown::default()
             },
         ))
     }))

@@ -17,7 +17,7 @@ use lanchester::report::{
 use lanchester::run::{Head, Study, stretch};
 use lanchester::study::compare::{Comparison, Equal, Held};
 use lanchester::study::scatter::{ScatterOptions, ScatterStudy, Scattering, Tally, scatter_study_of};
-use lanchester::study::sensitivity::{Output, Sensitivity, SensitivityRequest, Weights, sensitivity};
+use lanchester::study::sensitivity::{Output, Sensitivity, SensitivityRequest, Weights, sensitivity_watched};
 use lanchester::task::option;
 use lanchester::{
     CompareEntry, CompareRequest, ComparedWith, SampleStudy, SavedScatter, compare, operating_point,
@@ -72,7 +72,14 @@ fn read_compare(options: &Options<'_>) -> Result<Run, Failure> {
         with.push(ComparedWith::Optimum);
     }
     Ok(Box::new(move |engines, _| {
-        let mut entries = Vec::with_capacity(engines.len() * with.len());
+        let count = engines.len() * with.len();
+        if request.reference >= count && count > 1 {
+            return Err(Failure::option(
+                format_args!("`reference` needs an index from 0 to {}, got {}", count - 1, request.reference),
+                "indices count from 0",
+            ));
+        }
+        let mut entries = Vec::with_capacity(count);
         for own in engines {
             let traces = own.traces()?;
             entries.extend(with.iter().map(|&with| CompareEntry {
@@ -94,7 +101,7 @@ fn read_compare(options: &Options<'_>) -> Result<Run, Failure> {
                     [Some(comparison_table(found)), relative_table(found)].into_iter().flatten().collect()
                 },
                 figures: |found, _| vec![comparison_figure(found)],
-                adopted: None,
+                ..Shown::default()
             },
         ))
     }))
@@ -112,7 +119,7 @@ fn read_sensitivity(options: &Options<'_>) -> Result<Run, Failure> {
     let sobol = options.whole("sobol", 2, 1 << 32)?.map(|draws| [draws, seed]);
     let weights = [("fixed", Weights::Fixed), ("follow", Weights::Follow)];
     let weights = options.word("weights", &weights)?.unwrap_or(Weights::Fixed);
-    Ok(Box::new(move |engines, _| {
+    Ok(Box::new(move |engines, watch| {
         let own = &engines[0];
         let engine = own.engine();
         let named = |text: &String| Output::named(text, engine).map_err(Failure::refused);
@@ -125,7 +132,7 @@ fn read_sensitivity(options: &Options<'_>) -> Result<Run, Failure> {
         point.outer = OuterTorque::of(own.file.tasks.simulation.as_deref()).map_err(Failure::refused)?;
         point.weights = weights;
         let request = SensitivityRequest { outputs, each, amounts: amounts.clone(), only, sobol };
-        let found = sensitivity(&point, &request).map_err(Failure::refused)?;
+        let found = sensitivity_watched(&point, &request, &|| watch.goes_on()).map_err(Failure::refused)?;
         Ok(Data::new(
             found,
             own,
@@ -133,7 +140,7 @@ fn read_sensitivity(options: &Options<'_>) -> Result<Run, Failure> {
                 text: |found, _| sensitivity_text(found),
                 tables: |found, _| sensitivity_tables(found),
                 figures: |found, _| vec![tornado_figure(found)],
-                adopted: None,
+                ..Shown::default()
             },
         ))
     }))
@@ -204,7 +211,7 @@ fn scattered(
                     .collect()
             },
             figures: |found, _| vec![scatter_figure(found)],
-            adopted: None,
+            ..Shown::default()
         };
         Data::new(found, own, shown)
     }))

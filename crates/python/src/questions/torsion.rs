@@ -61,7 +61,7 @@ fn read_torsion(options: &Options<'_>) -> Result<Run, Failure> {
                 text: |found, _| torsion_text(found),
                 tables: |found, _| tables(found),
                 figures: |found, _| torsion_figures(found),
-                adopted: None,
+                ..Shown::default()
             },
         ))
     }))

@@ -10,7 +10,7 @@ use lanchester::mechanism::{BearingLoads, BearingPart, BearingRequest, Lever, To
 use lanchester::model::Friction;
 use lanchester::report::{
     Figure, Table, bearing_figures, bearing_parts_table, bearings_text, cycle_angle_table, cycle_figures,
-    cycle_table, cylinder_work_table, films_table, films_text, firing_table, flywheel_table,
+    cycle_table, cylinder_work_table, film_figures, films_table, films_text, firing_table, flywheel_table,
     main_bearings_table, power_figure, power_table, ripple_figure, ripple_table, rod_bearings_tables,
     stroke_table, torque_extremes_table, torque_figures, torque_orders_table, torque_speeds_table,
     torque_table, torque_text,
@@ -58,7 +58,7 @@ fn read_torque(options: &Options<'_>) -> Result<Run, Failure> {
                 text: |found, _| text(found),
                 tables: |found, _| tables(found),
                 figures: |found, _| figures(found),
-                adopted: None,
+                ..Shown::default()
             },
         ))
     }))
@@ -175,7 +175,7 @@ fn read_bearings(options: &Options<'_>) -> Result<Run, Failure> {
                     tables
                 },
                 figures: |found, _| bearing_figures(std::slice::from_ref(&found.loads)),
-                adopted: None,
+                ..Shown::default()
             },
         ))
     }))
@@ -208,6 +208,7 @@ fn read_films(options: &Options<'_>) -> Result<Run, Failure> {
             Shown {
                 text: |found, _| films_text(&found.engine, found.speed, &found.films, &found.assumptions),
                 tables: |found, _| vec![films_table(&found.films)],
+                figures: |found, _| film_figures(found.period, &found.films),
                 ..Shown::default()
             },
         ))

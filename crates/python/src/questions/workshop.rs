@@ -23,7 +23,7 @@ fn read_factor(options: &Options<'_>) -> Result<Run, Failure> {
                 text: |found, _| factor_text(found),
                 tables: |found, _| factor_tables(found),
                 figures: |found, _| primary_ellipse_figure(found).into_iter().collect(),
-                adopted: None,
+                ..Shown::default()
             },
         ))
     }))

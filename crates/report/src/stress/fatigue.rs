@@ -161,7 +161,8 @@ impl CrankFatigue {
         words
     }
 
-    fn table(&self, own: &FatigueAtSpeed) -> Table {
+    /// The fillets at one speed.
+    pub fn table(&self, own: &FatigueAtSpeed) -> Table {
         let fillets = &own.fillets;
         let column = |head: &str, unit, digits, of: fn(&FilletFatigue) -> f64| {
             numbers(head, unit, fillets.iter().map(of), digits)

@@ -55,6 +55,9 @@ pub enum SensitivityError {
         "no draw from the ranges is an engine: rods would be too short, or masses below nothing\nhint: make the ranges smaller"
     )]
     NoEngine,
+    /// It was given up: nobody waits for it any more.
+    #[error("the draws for the shares of the variance were stopped")]
+    Stopped,
     /// An output of another name.
     #[error(
         "there is no output \"{got}\"\nhint: write force, couple, roll moment, torque, excess energy, speed fluctuation, main-bearing load 1, crankpin load 1, piston-pin load 1, side thrust 1, bending moment or mount force NAME; behind it `order 2` or `mean`, before it `gas` or `inertia`"

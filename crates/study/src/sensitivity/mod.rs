@@ -38,5 +38,6 @@ pub use quantity::{Axis, Direction, Measure, Quantity};
 pub use slope::Slope;
 pub use sobol::{Index, Sobol};
 pub use study::{
-    Effect, OutputSensitivity, SENSITIVITY_VERSION, Sensitivity, SensitivityRequest, VariedInput, sensitivity,
+    Effect, OutputSensitivity, SENSITIVITY_VERSION, Sensitivity, SensitivityRequest, VariedInput,
+    sensitivity, sensitivity_watched,
 };

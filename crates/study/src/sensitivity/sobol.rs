@@ -49,12 +49,16 @@ pub(super) fn sobol(
     outputs: &[Output],
     inputs: &[(Input, f64)],
     [samples, seed]: [u64; 2],
+    goes_on: &(dyn Fn() -> bool + Sync),
 ) -> Sobol {
     let streams = |table: usize| -> Vec<Stream> {
         (0..inputs.len()).map(|place| Stream::new(seed, 2 * place + table)).collect()
     };
     let tables = [streams(0), streams(1)];
     let draw = |sample: u64| -> Option<Draw> {
+        if !goes_on() {
+            return None;
+        }
         let at = |choose: &dyn Fn(usize) -> usize| {
             let mut own = point.clone();
             let deviations = inputs.iter().enumerate().map(|(place, (input, half))| {

@@ -127,6 +127,18 @@ pub fn sensitivity(
     point: &OperatingPoint,
     request: &SensitivityRequest,
 ) -> Result<Sensitivity, SensitivityError> {
+    sensitivity_watched(point, request, &|| true)
+}
+
+/// [`sensitivity`] that is given up where `goes_on` says no: it is asked before each draw for the shares of the variance.
+///
+/// # Errors
+/// Those of [`sensitivity`], and [`SensitivityError::Stopped`].
+pub fn sensitivity_watched(
+    point: &OperatingPoint,
+    request: &SensitivityRequest,
+    goes_on: &(dyn Fn() -> bool + Sync),
+) -> Result<Sensitivity, SensitivityError> {
     if request.outputs.is_empty() {
         return Err(SensitivityError::NoOutput);
     }
@@ -165,8 +177,11 @@ pub fn sensitivity(
         Some([samples, _]) if !(16..=10_000_000).contains(&samples) => {
             return Err(SensitivityError::Samples { got: samples });
         }
-        Some(draws) => Some(sobol(point, &request.outputs, &ranges, draws)),
+        Some(draws) => Some(sobol(point, &request.outputs, &ranges, draws, goes_on)),
     };
+    if shares.is_some() && !goes_on() {
+        return Err(SensitivityError::Stopped);
+    }
     if shares.as_ref().is_some_and(|shares| shares.impossible == shares.samples) {
         return Err(SensitivityError::NoEngine);
     }

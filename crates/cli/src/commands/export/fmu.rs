@@ -12,6 +12,12 @@ use std::env::consts::{ARCH, DLL_PREFIX, DLL_SUFFIX, OS};
 use std::path::PathBuf;
 
 pub fn run(arguments: &UnitArguments, colour: bool) -> Result<(), Failure> {
+    if arguments.output.extension().is_none_or(|ending| !ending.eq_ignore_ascii_case("fmu")) {
+        return Err(Failure::input(
+            format_args!("a unit is written as .fmu, got {}", shown(&arguments.output)),
+            "give --output this ending: importers go by it",
+        ));
+    }
     let opened = open(&arguments.file, colour)?;
     let traces = trace_files(&opened.file.engine, &arguments.file)?;
     let version = if arguments.fmi == 2 { FmiVersion::Two } else { FmiVersion::Three };

@@ -13,7 +13,9 @@ use crate::run::write_rows;
 use crate::trace_files::trace_files;
 use lanchester::exchange_formats::{ForceTable, exudyn, nastran, universal};
 use lanchester::task::option;
-use lanchester::{ForceTableRequest, LoadedPoints, MountSpeeds, force_table, load_history, rigid_train};
+use lanchester::{
+    ForceTableError, ForceTableRequest, LoadedPoints, MountSpeeds, force_table, load_history, rigid_train,
+};
 use std::path::Path;
 
 pub fn run(arguments: &ExportArguments, colour: bool) -> Result<u8, Failure> {
@@ -56,7 +58,13 @@ fn forces(arguments: &ForcesArguments, colour: bool) -> Result<ForceTable, Failu
     let opened = open(&arguments.file, colour)?;
     let engine = &opened.file.engine;
     let traces = if arguments.inertia_only { Vec::new() } else { trace_files(engine, &arguments.file)? };
-    let table = force_table(engine, &traces, &request).map_err(Failure::refused)?;
+    let table = force_table(engine, &traces, &request).map_err(|error| match error {
+        ForceTableError::OneSpeed { .. } => Failure::input(
+            error,
+            "add --speeds '1000 rpm .. 6000 rpm by 100 rpm', or give `speed` in the file as a range",
+        ),
+        other => Failure::refused(other),
+    })?;
     for note in table.notes.iter().filter(|note| note.contains("left out")) {
         tell(format_args!("warning: {note}"));
     }

@@ -10,7 +10,7 @@ use crate::requests::loads::load_request;
 use lanchester::report::{Cell, Table};
 use lanchester::{CaseCell, CaseFault, CaseRow, CaseTable, case_loads};
 use lanchester_files::shown;
-use lanchester_sheet::{self as sheet, read_csv, read_workbook, workbook};
+use lanchester_sheet::{self as sheet, read_csv, read_workbook, separator, workbook};
 use std::path::Path;
 
 /// Faults that are told; what follows them has often the same cause.
@@ -41,7 +41,9 @@ pub fn run(arguments: &LoadsArguments, cases: &Path, colour: bool) -> Result<u8,
     let request = load_request(&arguments.request)?;
     let opened = open(&arguments.file, colour)?;
     let told = |faults: Vec<CaseFault>| all_faults(cases, &faults);
-    let table = CaseTable::of(rows(cases)?).map_err(told)?;
+    let (rows, decimal_commas) = rows(cases)?;
+    let table = CaseTable::of(rows).map_err(told)?;
+    let table = if decimal_commas { table.with_decimal_commas() } else { table };
     let found = case_loads(&opened.source.text, &table, &request).map_err(told)?;
     match output {
         Some(path) if ending(path) == "xlsx" => {
@@ -65,18 +67,20 @@ fn ending(path: &Path) -> String {
     path.extension().map(|ending| ending.to_string_lossy().to_lowercase()).unwrap_or_default()
 }
 
-fn rows(path: &Path) -> Result<Vec<CaseRow>, Failure> {
+/// The rows, and whether their numbers have decimal commas.
+fn rows(path: &Path) -> Result<(Vec<CaseRow>, bool), Failure> {
     let bytes = read_bytes(path, HINT)?;
     let wrong = |error: &dyn std::fmt::Display| {
         Failure::input(format_args!("cannot read {}: {error}", shown(path)), HINT)
     };
-    let rows = match ending(path).as_str() {
-        "xlsx" => read_workbook(&bytes).map_err(|error| wrong(&error))?,
+    let (rows, decimal_commas) = match ending(path).as_str() {
+        "xlsx" => (read_workbook(&bytes).map_err(|error| wrong(&error))?, false),
         _ => {
             let text = String::from_utf8(bytes).map_err(|error| {
                 wrong(&format_args!("it is not UTF-8 text (byte {})", error.utf8_error().valid_up_to()))
             })?;
-            read_csv(&text).map_err(|error| wrong(&error))?
+            // Where semicolons part the cells, the comma is left for the decimals.
+            (read_csv(&text).map_err(|error| wrong(&error))?, separator(&text) == ';')
         }
     };
     let cell = |cell: sheet::Cell| match cell {
@@ -88,7 +92,7 @@ fn rows(path: &Path) -> Result<Vec<CaseRow>, Failure> {
     };
     let row =
         |row: sheet::Row| CaseRow { number: row.number, cells: row.cells.into_iter().map(cell).collect() };
-    Ok(rows.into_iter().map(row).collect())
+    Ok((rows.into_iter().map(row).collect(), decimal_commas))
 }
 
 /// All faults at once.
