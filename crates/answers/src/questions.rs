@@ -6,6 +6,7 @@ pub(crate) mod counterweights;
 pub(crate) mod design_choice;
 pub(crate) mod figures;
 pub(crate) mod files;
+pub(crate) mod fillet_bands;
 pub(crate) mod reading;
 pub(crate) mod results;
 pub(crate) mod sensitivity;
@@ -28,6 +29,7 @@ pub(crate) fn all() -> Api {
         results::questions,
         torsion::questions,
         stress::questions,
+        fillet_bands::questions,
         sensitivity::questions,
         simulation::questions,
         studies::questions,

@@ -6,6 +6,7 @@ pub(crate) mod deck;
 pub(crate) mod export;
 pub(crate) mod fatigue;
 pub(crate) mod file_case;
+pub(crate) mod fillet_bands;
 pub(crate) mod loads;
 pub(crate) mod mesh;
 pub(crate) mod own_mesh;
@@ -27,6 +28,7 @@ pub use deck::solve_deck;
 pub use export::{case_deck, case_glb, case_stl, case_vtu, cases_pvd, modes_deck, modes_glb, modes_vtu};
 pub use fatigue::{FatigueRequest, crank_fatigue};
 pub use file_case::stress_case;
+pub use fillet_bands::FilletStudy;
 pub use mesh::{MOST_NODES, MeshFile, StressMesh};
 pub use reduce::reduced_crank;
 pub use request::{

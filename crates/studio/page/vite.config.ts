@@ -1,5 +1,6 @@
 import { svelte } from "@sveltejs/vite-plugin-svelte";
 import { defineConfig } from "vitest/config";
+import { book } from "./book";
 import { inBrowser } from "./web";
 
 // The server that `npm run dev` talks to: `lanchester studio --port 7777 --token dev`.
@@ -7,7 +8,7 @@ const server = process.env.LANCHESTER_SERVER ?? "http://127.0.0.1:7777";
 
 // Mode "web": a folder for any file server; "web-file": one file. Both answer by themselves, with the module that LANCHESTER_MODULE names.
 export default defineConfig(({ mode }) => ({
-  plugins: [svelte(), inBrowser(mode)],
+  plugins: [svelte(), book(), inBrowser(mode)],
   base: "./",
   build: {
     outDir: "../dist",

@@ -34,11 +34,11 @@ const SHOWN: f64 = 0.08;
 const NANOSECONDS_OF_ENTRY: f64 = 6.0;
 
 /// A crankshaft, how fine it is meshed, what holds it, and its speed.
-#[derive(Debug, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-struct StressQuestion {
+pub(super) struct StressQuestion {
     /// The engine file.
-    text: String,
+    pub(super) text: String,
     /// Number of the crankshaft, from 1; none: 1.
     #[serde(default)]
     crankshaft: Option<usize>,
@@ -184,7 +184,7 @@ pub(crate) fn questions(api: Api) -> Api {
 }
 
 /// Within a browser there is neither the memory nor the time for it.
-fn refuse_in_browser() -> Result<(), Problem> {
+pub(super) fn refuse_in_browser() -> Result<(), Problem> {
     match cfg!(target_arch = "wasm32") {
         true => Err(Problem::refused(
             "the stress of the crankshaft by finite elements needs the program\nhint: install Lanchester and start `lanchester studio`",
@@ -259,14 +259,18 @@ fn modes(asker: &Asker, question: StressQuestion) -> Result<ModesAnswer, Problem
     })
 }
 
-fn problem(error: StressError) -> Problem {
+pub(super) fn problem(error: StressError) -> Problem {
     match error {
         StressError::Cancelled => superseded(),
         error => Problem::refused(error),
     }
 }
 
-fn request(asker: &Asker, file: &EngineFile, question: &StressQuestion) -> Result<SurfaceRequest, Problem> {
+pub(super) fn request(
+    asker: &Asker,
+    file: &EngineFile,
+    question: &StressQuestion,
+) -> Result<SurfaceRequest, Problem> {
     Ok(SurfaceRequest {
         mesh: mesh(asker, file, question, CrankMeshOptions::default())?,
         support: support(question, CrankSupport::Journals)?,

@@ -3,7 +3,7 @@
 mod explore;
 mod published;
 mod scatter;
-mod turn;
+pub(super) mod turn;
 mod workshop;
 
 use crate::api::Api;

@@ -18,16 +18,16 @@ const REFINED: [f64; 3] = [1.0, 1.4, 2.0];
 const LEAST_FINEST: usize = 6;
 
 /// The meshes of a study, and what is to be said of them.
-struct Study {
-    meshes: [StressMesh; 3],
-    note: Option<String>,
+pub(crate) struct Study {
+    pub(crate) meshes: [StressMesh; 3],
+    pub(crate) note: Option<String>,
 }
 
 impl Study {
     /// Meshes of sizes h, h/1.4, h/2; elements across a fillet n, about 1.4 n, 2 n, even and each more than before. Where nobody says how many,
     /// they are the largest three even numbers up to these of which the finest mesh has no more than [`MOST_NODES`]; where 2, 4 and 6 are too many,
     /// all meshes have one number and differ in the size of their elements alone. Where nobody says the size, the finest mesh has the usual one.
-    fn of(engine: &Engine, mesh: &StressMesh) -> Result<Study, StressError> {
+    pub(crate) fn of(engine: &Engine, mesh: &StressMesh) -> Result<Study, StressError> {
         if let Some(own) = &mesh.own {
             return Err(StressError::OneMesh { name: own.name.clone() });
         }

@@ -40,6 +40,57 @@ test("form and text follow each other, comments stay", async ({ page }) => {
   expect(await text(page)).toContain("# Written by hand.");
 });
 
+test("a number has its slider, live on a curve over the ghost of before", async ({ page }) => {
+  const peak = figure(page, "Peak couple");
+  const before = Number(((await peak.textContent()) ?? "").replace(/[^\d.]/g, ""));
+  await page.getByRole("button", { name: "Slider for Mass" }).first().click();
+  const sliders = page.getByRole("group", { name: "Sliders of Mass" });
+  const said = sliders.locator("[data-live]");
+  // Of an in-line three the forces cancel: the couple is what a mass acts on.
+  await expect(sliders.getByLabel("Curve")).toHaveValue("couple");
+  await expect(said).toHaveText(/Peak before [\d.]+ N m, now [\d.]+ N m/);
+  const numbers = async () => ((await said.textContent()) ?? "").match(/[\d.]+/g)?.map(Number) ?? [];
+  const [ghost, first] = await numbers();
+  expect(ghost).toBe(first);
+  expect(Math.abs((ghost ?? 0) / before - 1)).toBeLessThan(2e-3);
+
+  const own = field(page, "piston.mass");
+  const written = await own.inputValue();
+  const slider = sliders.getByRole("slider", { name: "Mass", exact: true });
+  await slider.focus();
+  for (let k = 0; k < 20; k++) await page.keyboard.press("ArrowRight");
+  await expect(own).not.toHaveValue(written);
+  // Its unit stays, and it has no more digits than its steps.
+  expect((await own.inputValue()).replace(/[\d.]+/, "")).toBe(written.replace(/[\d.]+/, ""));
+  expect((await own.inputValue()).length).toBeLessThan(9);
+  await expect.poll(async () => (await numbers())[1]).toBeGreaterThan(1.005 * (ghost ?? 0));
+  expect((await numbers())[0]).toBe(ghost);
+  const paths = sliders.locator("figure path");
+  expect(await paths.count()).toBeGreaterThan(1);
+  await expect(sliders.getByText("before", { exact: true })).toBeVisible();
+
+  // The ghost is where it is asked to be; one step of undo takes the move back.
+  await sliders.getByRole("button", { name: "Compare from here" }).click();
+  await expect.poll(async () => (await numbers())[0]).toBe((await numbers())[1]);
+  await page.getByRole("button", { name: "Slider for Mass" }).first().click();
+  await expect(sliders).toHaveCount(0);
+  await page.keyboard.press("Control+z");
+  await expect(own).toHaveValue(written);
+});
+
+test("every number of the form has a slider, and nothing else has", async ({ page }) => {
+  const wrong = await page.locator(".form .field").evaluateAll((fields) =>
+    fields.flatMap((one) => {
+      const input = one.querySelector("input, textarea");
+      const value = (input as HTMLInputElement | null)?.value ?? "";
+      const isNumber = /^[+-]?[\d.]+(e[+-]?\d+)? *[a-z%°]/i.test(value);
+      const has = one.querySelector("button.slide") !== null;
+      return isNumber === has || /^[+-]?[\d.]+$/.test(value) ? [] : [value];
+    }),
+  );
+  expect(wrong).toEqual([]);
+});
+
 test("a wrong value is told beside its field, the results stay", async ({ page }) => {
   const peak = await figure(page, "Peak couple").textContent();
   const stroke = field(page, "crank.radius");
@@ -229,4 +280,43 @@ test("every engine of the gallery has its sketch and no mistakes", async ({ page
     );
     expect(await sketch.innerHTML(), name).not.toContain("NaN");
   }
+});
+
+test("the search finds engines, places, numbers and terms", async ({ page }) => {
+  await page.keyboard.press("Control+k");
+  const search = page.getByRole("dialog", { name: "Search" });
+  const asked = search.getByRole("searchbox");
+  await asked.fill("balance shafts");
+  await expect(search.getByRole("button", { name: /^in-line three with a balance shaft/ })).toBeVisible();
+  await expect(search.getByRole("button", { name: /^Balance shaft Term/ })).toBeVisible();
+  await asked.fill("cylinder spacing");
+  await search.getByRole("button", { name: /^layout\.spacing/ }).click();
+  await expect(search).toBeHidden();
+  await expect(field(page, "layout.spacing")).toBeFocused();
+
+  await page.getByRole("button", { name: "Search the studio" }).click();
+  await asked.fill("oil films");
+  await asked.press("Enter");
+  await expect(page.getByRole("tab", { name: "Results" })).toHaveAttribute("aria-selected", "true");
+  await expect(
+    page.getByRole("navigation", { name: "Kinds of results" }).getByRole("button", { name: "Oil films" }),
+  ).toHaveAttribute("aria-current", "true");
+});
+
+test("a term has its explanation and a link into the book", async ({ page }) => {
+  await page.getByRole("tab", { name: "Results" }).click();
+  await page.getByRole("button", { name: "Stars of the cylinders" }).click();
+  await expect(page.getByText(/where the star closes, the order cancels/)).toBeVisible();
+  await page.getByRole("button", { name: "In the book" }).filter({ visible: true }).click();
+  const book = page.getByRole("dialog", { name: "The book on star diagram" });
+  await expect(book.getByRole("heading", { name: "Star diagrams" })).toBeVisible();
+  await expect(book.getByRole("article")).toContainText(/\w{5}/);
+  await page.keyboard.press("Escape");
+  await expect(book).toBeHidden();
+
+  // The field in hand has its term too.
+  await page.getByRole("tab", { name: "Engine" }).click();
+  await field(page, "layout.spacing").focus();
+  await page.getByRole("button", { name: "In the book: cylinder spacing" }).click();
+  await expect(page.getByRole("dialog", { name: "The book on cylinder spacing" })).toContainText("flywheel");
 });

@@ -1,5 +1,6 @@
 // The Simulate tab: paths of points and torques of gears beside the run.
 
+import type { Page } from "@playwright/test";
 import { opened } from "./page";
 import { expect, test } from "./server";
 
@@ -34,3 +35,39 @@ test("the path of a point, and the teeth of the balancer", async ({ studio, page
   await page.getByRole("button", { name: "Simulate", exact: true }).click();
   await expect(page.getByText(/Orbits? of .* in the last period/)).toHaveCount(1);
 });
+
+/** Words of selects for which there is no room. */
+function cut(page: Page): Promise<string[]> {
+  return page.getByRole("tabpanel").evaluate((panel) => {
+    const context = document.createElement("canvas").getContext("2d");
+    if (!context) throw new Error("no context");
+    return [...panel.querySelectorAll("select")]
+      .filter((select) => select.checkVisibility())
+      .flatMap((select) => {
+        const { font, paddingLeft, paddingRight } = getComputedStyle(select);
+        context.font = font;
+        // The browser's own arrow is about 20 px wide.
+        const room = select.clientWidth - parseFloat(paddingLeft) - parseFloat(paddingRight) - 20;
+        return [...select.options]
+          .map((option) => option.text.trim())
+          .filter((words) => context.measureText(words).width > room + 1);
+      });
+  });
+}
+
+for (const width of [390, 768, 1440]) {
+  test(`at ${width} px no choice is cut, and no tab is wider than the window`, async ({ studio, page }) => {
+    await page.setViewportSize({ width, height: 900 });
+    await page.goto(studio.address);
+    await opened(page);
+    await page.getByRole("tab", { name: "Simulate" }).click();
+    await expect(page.getByLabel("Length")).toBeVisible();
+    expect(await cut(page)).toEqual([]);
+    for (const tab of ["Engine", "3-D view", "Balance", "Counterweight", "Results", "Studies", "Compare"]) {
+      await page.getByRole("tab", { name: tab, exact: true }).click();
+      await page.waitForTimeout(400);
+      const wide = await page.evaluate(() => document.documentElement.scrollWidth);
+      expect(wide, tab).toBeLessThanOrEqual(width);
+    }
+  });
+}

@@ -2,7 +2,7 @@
 
 import type { Page } from "@playwright/test";
 import { mkdir, writeFile } from "node:fs/promises";
-import { figure, opened } from "./page";
+import { figure, newEngine, opened } from "./page";
 import { expect, test } from "./server";
 
 test.use({ example: "in-line-3-counterweights.toml" });
@@ -168,6 +168,41 @@ test("arrows carry their numbers, apart from each other", async ({ studio, page 
   expect(beside || Math.abs(one.y - other.y) >= 15).toBe(true);
   await page.getByRole("checkbox", { name: "Each source" }).check();
   await expect(labels).toHaveCount(2);
+});
+
+test("rounding has no arrow, and no label lies on another at any angle", async ({ studio, page }) => {
+  await page.goto(studio.address);
+  await opened(page);
+  await newEngine(page, "boxer four", "boxer four");
+  await page.getByRole("tab", { name: "3-D view" }).click();
+  await expect(stage(page)).toHaveAttribute("data-stage", "drawn");
+  await page.getByRole("checkbox", { name: "Roll moment" }).check();
+  const labels = stage(page).locator("svg.labels text");
+  const angle = page.getByRole("group", { name: "Crank angle" }).getByRole("slider").first();
+  await angle.fill("15");
+  await expect(labels).toHaveCount(2);
+  // The forces of a boxer four cancel: what is left of them is rounding.
+  await expect(labels.filter({ hasText: /^F / })).toHaveCount(0);
+  for (const side of ["Whole", "Front", "Side"]) {
+    await page.getByRole("button", { name: side, exact: true }).click();
+    for (let degrees = 0; degrees < 360; degrees += 15) {
+      await angle.fill(String(degrees));
+      const boxes = await labels.evaluateAll(
+        (texts) =>
+          new Promise<DOMRect[]>((done) =>
+            requestAnimationFrame(() =>
+              requestAnimationFrame(() => done(texts.map((one) => one.getBoundingClientRect()))),
+            ),
+          ),
+      );
+      for (const [index, a] of boxes.entries())
+        for (const b of boxes.slice(0, index)) {
+          const across = Math.min(a.right, b.right) - Math.max(a.left, b.left);
+          const down = Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top);
+          expect(across <= 0 || down <= 2, `${side}, ${degrees} degrees`).toBe(true);
+        }
+    }
+  }
 });
 
 test("what is hidden is not drawn, and the arrows have their numbers", async ({ studio, page }) => {

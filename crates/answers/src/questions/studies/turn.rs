@@ -16,20 +16,20 @@ const BLOCKS: u64 = 4;
 /// How far a study has come; whoever asks hands it back unchanged.
 #[derive(Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub(super) struct SoFar {
+pub(in crate::questions) struct SoFar {
     /// Blocks that are done.
-    blocks: u64,
+    pub(in crate::questions) blocks: u64,
     /// What is kept of them.
-    kept: String,
+    pub(in crate::questions) kept: String,
 }
 
 /// A turn of a study.
 #[derive(Debug, Serialize, JsonSchema)]
-pub(super) struct Turn {
+pub(in crate::questions) struct Turn {
     /// Where the next turn goes on.
-    so_far: SoFar,
+    pub(in crate::questions) so_far: SoFar,
     /// Share of the study that is done, 0 to 1.
-    done: f64,
+    pub(in crate::questions) done: f64,
 }
 
 /// One turn, and what is kept of the whole study where this was the last one.
@@ -77,7 +77,8 @@ pub(super) fn estimate<S: Study>(asker: &Asker, study: &S) -> Result<f64, Proble
     Ok(took * all as f64 / (end - from).max(1) as f64)
 }
 
-fn torn() -> Problem {
+/// What was handed back is not what was handed out.
+pub(in crate::questions) fn torn() -> Problem {
     let hint = "start it again from its beginning";
     Problem::new(Status::BadQuestion, "the study cannot go on from there", hint)
 }

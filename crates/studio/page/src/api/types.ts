@@ -387,6 +387,49 @@ export type BalanceTask = {
   weights: FreeWeight[];
 };
 
+/** What the stresses of the fillets tend to, with their error bands. */
+export type BandsFound = {
+  /**
+   * Fillet by fillet, along z: the largest von Mises stress over the cycle [Pa]; `null` of a sharp corner, and where the meshes have the same elements
+   * across the fillets.
+   */
+  bands: Array<Extrapolated | null>;
+  /** The meshes, the coarse one first. */
+  meshes: [BandsMesh, BandsMesh, BandsMesh];
+  /** Why the meshes are as fine as they are, where nobody says it. */
+  note: string | null;
+};
+
+/** One of the meshes. */
+export type BandsMesh = {
+  /** Elements across the 90 degrees of a fillet. */
+  fillet_elements: number;
+  nodes: number;
+  /** Operations of its solution, which say how large its share of the study is. */
+  operations: number;
+  /** Edge of the elements away from fillets [m]. */
+  size: number;
+  unknowns: number;
+};
+
+/** The stress over the cycle, and how far its study has come. */
+export type BandsQuestion = {
+  /** Where the turn before ended; nothing for the first one. */
+  so_far: SoFar | null;
+  /** What is computed on each of the three meshes; its own mesh is the coarse one. */
+  stress: StressQuestion;
+};
+
+/** A turn of the study: the first one says what it costs, each of the others solves a mesh. */
+export type BandsTurn = {
+  /** Share of the study that is done, 0 to 1. */
+  done: number;
+  /** What was found, with the last mesh. */
+  found: BandsFound | null;
+  /** Where the next turn goes on. */
+  so_far: SoFar;
+};
+
 /** A crankshaft in one model. */
 export type BeamLoads = {
   /** Load on every main bearing, rising; 0 where the model lets it carry nothing. */
@@ -1870,6 +1913,27 @@ export type ExportQuestion = {
 
 /** For which parts a deviation is one. */
 export type Extent = "per-part" | "common";
+
+/**
+ * A number computed on three meshes, extrapolated to elements of size zero.
+ *
+ * ```text
+ * f(h) = f* + C h^p      (f1 - f2)/(f2 - f3) = (h1^p - h2^p)/(h2^p - h3^p)      f* = f3 + (f3 - f2)/((h2/h3)^p - 1)
+ * band = 1.25 |f* - f3|                                                                                     (book, eq. 43.15)
+ * ```
+ * Where no such order from 0.5 to 6 exists, because the numbers go to and fro or do not come closer, the value is that of the finest mesh
+ * and the band three times the largest difference.
+ */
+export type Extrapolated = {
+  /** Half width of the band about it. */
+  band: number;
+  /** Order that the three show; none where they show none. */
+  order: number | null;
+  /** What they tend to. */
+  value: number;
+  /** Value on the coarse, the middle and the fine mesh. */
+  values: [number, number, number];
+};
 
 /** An extreme and where it is. */
 export type Extreme = {

@@ -30,6 +30,8 @@ class View {
   /** Crank angle of the 3-D view and of the markers in plots [rad]. */
   theta = $state(0);
   playing = $state(false);
+  /** The search of the studio is open. */
+  searching = $state(false);
   /** Lowest and highest speed that can be chosen [rad/s]; an engine of one speed is seen from a tenth of it. */
   readonly speeds = $derived.by(() => {
     const { lowest_speed: lowest, highest_speed: highest } = engine.summary ?? {

@@ -111,7 +111,7 @@ class Arrow extends Group {
 /** All arrows, each by its name; those that are not named any more go. */
 export class Arrows extends Group {
   readonly #named = new Map<string, Arrow>();
-  #labels: { label: string; arrow: Arrow }[] = [];
+  #labels: { id: string; label: string; colour: string; arrow: Arrow }[] = [];
 
   /** `size`: the length of the largest [m]. */
   show(shown: Shown[], size: number) {
@@ -129,12 +129,15 @@ export class Arrows extends Group {
       this.#named.set(named(one), arrow);
       this.add(arrow);
       arrow.show(one);
-      if (one.label && arrow.visible) this.#labels.push({ label: one.label, arrow });
+      if (one.label && arrow.visible) {
+        const { id, label, colour } = one;
+        this.#labels.push({ id, label, colour, arrow });
+      }
     }
   }
 
   /** Labels with the tips that they belong to, in the world [m]. */
-  labels(): { label: string; at: Vector3 }[] {
-    return this.#labels.map(({ label, arrow }) => ({ label, at: this.localToWorld(arrow.tip.clone()) }));
+  labels(): { id: string; label: string; colour: string; at: Vector3 }[] {
+    return this.#labels.map(({ arrow, ...one }) => ({ ...one, at: this.localToWorld(arrow.tip.clone()) }));
   }
 }

@@ -245,18 +245,16 @@ export class Stage {
 
   /** What stands at the tips of arrows, and where on the canvas [px]. */
   labels(): Label[] {
-    const [width, height] = this.#size;
-    const foot = this.#arrows.getWorldPosition(new Vector3()).project(this.#camera).x;
-    return this.#arrows.labels().map(({ label, at }) => {
-      const { x, y } = at.project(this.#camera);
-      return {
-        label,
-        x: ((1 + x) / 2) * width,
-        y: ((1 - y) / 2) * height,
-        // On the side to which the arrow points.
-        left: x < foot - 0.005,
-      };
+    const foot = this.#onCanvas(this.#arrows.getWorldPosition(new Vector3()));
+    return this.#arrows.labels().map(({ at, ...one }) => {
+      const tip = this.#onCanvas(at);
+      return { ...one, ...tip, right: tip.x - foot.x, down: tip.y - foot.y };
     });
+  }
+
+  #onCanvas(at: Vector3): { x: number; y: number } {
+    const { x, y } = at.project(this.#camera);
+    return { x: ((1 + x) / 2) * this.#size[0], y: ((1 - y) / 2) * this.#size[1] };
   }
 
   /** The part under a point of the page, as its index. */

@@ -32,6 +32,9 @@ const BELOW = 40;
 const RIGHT = 20;
 const LEFT = { narrow: 52, wide: 62 };
 const NARROW = 420;
+/** A digit of a label, and what lies between the labels and the ground [px]. */
+const DIGIT = 7.6;
+const BESIDE = 9;
 /** From tick to tick at least [px]. */
 const TICKS = { x: 74, y: 42 };
 
@@ -43,7 +46,17 @@ export class Frame {
     this.#shape = shape;
   }
 
-  #left = $derived.by(() => (this.#shape().room < NARROW ? LEFT.narrow : LEFT.wide));
+  // Where the labels of the ordinate need more than what is usual, they get it.
+  #left = $derived.by(() => {
+    const { room, y, visible } = this.#shape();
+    const count = Math.max(2, Math.round((this.tall - ABOVE - BELOW) / TICKS.y));
+    const range = this.zoomed?.y ?? limits(y, visible, "y", toSi(1, y.measure), count, true);
+    const labels = axisTicks(range, y, toSi(1, y.measure), count).map(({ label }) => label.length);
+    return Math.max(
+      room < NARROW ? LEFT.narrow : LEFT.wide,
+      Math.ceil(DIGIT * Math.max(0, ...labels)) + BESIDE,
+    );
+  });
   // Where a unit is the same both ways the ground is a square.
   tall = $derived.by(() => {
     const { equal, room, height } = this.#shape();

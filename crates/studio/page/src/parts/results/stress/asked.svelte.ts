@@ -1,9 +1,10 @@
 // What was asked of the stress of the crankshaft, and its answers: they stay while other tabs are open.
 
-import type { ModesAnswer, StressAnswer, StressPlan } from "../../../api/types";
+import type { BandsFound, ModesAnswer, StressAnswer, StressPlan } from "../../../api/types";
 import { Search } from "../../../state/search.svelte";
 import { toSi } from "../../../state/units.svelte";
 import { view } from "../../../state/view.svelte";
+import { Turns } from "../../studies/turns.svelte";
 
 export type Holds = "journals" | "clamped-ends" | "springs" | "free";
 
@@ -11,6 +12,8 @@ class Asked {
   readonly plan = new Search<StressPlan>("stress-plan");
   readonly cycle = new Search<StressAnswer>("stress");
   readonly modes = new Search<ModesAnswer>("stress-modes");
+  /** Error bands of the fillets of what is shown, from three meshes. */
+  readonly bands = new Turns<BandsFound>("stress-bands");
   shows = $state<"cycle" | "modes">("cycle");
   /** Size of the elements, in the unit that is shown. */
   size = $state<number | null>(null);
@@ -54,6 +57,23 @@ class Asked {
     }
     const found = await this.cycle.ask("/api/stress", settings);
     if (found) view.theta = found.worst_theta;
+  }
+
+  /** Bands of the stress that is shown: the same speed, support and gas. */
+  readonly bandsOfCycle = $derived(
+    this.bands.value &&
+      this.bands.text === this.cycle.text &&
+      JSON.stringify(this.bands.settings) === JSON.stringify(this.cycle.settings)
+      ? this.bands.value
+      : undefined,
+  );
+
+  async findBands() {
+    const settings = this.cycle.settings;
+    await this.bands.run("/api/stress/bands", settings, (text, so_far) => ({
+      stress: { text, ...settings },
+      so_far,
+    }));
   }
 
   stop() {
