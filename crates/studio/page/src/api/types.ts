@@ -2012,6 +2012,8 @@ export type FilmOrbit = {
   largest_pressure: number;
   /** Instant of the largest pressure, over the period. */
   largest_pressure_at: number;
+  /** Least film at an end of the bearing [m], where the journal's axis is tilted; below 0 where that end would touch. `None`: parallel axes. */
+  least_edge_film?: number | null;
   /** Least film [m]. */
   least_film: number;
   /** Direction of the least film [rad]. */
