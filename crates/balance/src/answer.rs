@@ -46,7 +46,7 @@ pub struct Answer {
     /// What decided among answers that the stages leave equal: of force and couple what no stage names, then the roll
     /// moment if an inertia or the axis of a shaft is free (unless a stage asks for the least weights), then, if a weight on a
     /// crankshaft is free, the root mean square of all main-bearing loads, the largest of them and the bending moment, each
-    /// without giving up any before it. Empty where nothing was left open. Among what is still equal the answer is the lightest.
+    /// without degrading the previous ones. Empty where nothing was left open. Among what is still equal the answer is the lightest.
     pub among_equals: Vec<FoundStage>,
     /// What each limit costs.
     pub limits: Vec<FoundLimit>,

@@ -1,4 +1,4 @@
-//! Stage after stage, each without giving up any before it, and the lightest of what is left equal.
+//! Stage after stage, each without degrading the previous ones, and the lightest of what is left equal.
 //!
 //! Every optimum `x'` of a stage shares what the multipliers of one optimum `x` fix (complementarity):
 //!

@@ -442,9 +442,9 @@ pub struct BalanceArguments {
     /// the true optimum of the same devices stands beside it.
     #[arg(long, value_enum, default_value_t = BalanceMethod::Optimum, conflicts_with = "search")]
     pub method: BalanceMethod,
-    /// What to make small: a criterion such as `force`, `couple`, `roll moment`, `mount force`, `mount force with gas`, `force order 2`, or a sum
-    /// that counts shares of given values, `force = 200 N, couple = 10 N m`. May be given several times: the first
-    /// first, each next one without giving up any before it. Default: `force`, then `couple`.
+    /// Objective: a criterion such as `force`, `couple`, `roll moment`, `mount force`, `mount force with gas`, `force order 2`, or a sum
+    /// that counts shares of given values, `force = 200 N, couple = 10 N m`. May be given several times, in order
+    /// of priority: each next one without degrading the previous ones. Default: `force`, then `couple`.
     #[arg(long, alias = "minimize", value_name = "CRITERION")]
     pub minimise: Vec<String>,
     /// The life of crankshaft and bearings.

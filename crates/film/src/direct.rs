@@ -47,7 +47,7 @@ pub struct DirectRequest<'a> {
     pub cycle: &'a JournalCycle,
     /// Angle of the shell at every instant of the load [rad]; empty: it does not turn.
     pub shell: &'a [f64],
-    /// FilmMethod and holes, in the shell's frame.
+    /// Grooves and holes, in the shell's frame.
     pub feeds: &'a [Feed],
     /// Composite roughness [m], 0: no contact.
     pub roughness: f64,

@@ -51,7 +51,7 @@ pub enum FilmError {
         /// Largest eccentricity over the length, over the radial clearance.
         ratio: f64,
     },
-    /// FilmMethod or holes leave no land.
+    /// Grooves or holes leave no land.
     #[error(
         "grooves and holes cover the whole shell, so that no film is left: give each a range of angles or a width below the bearing's length"
     )]

@@ -51,7 +51,8 @@ pub use plane::Plane;
 pub use problem::{Feed, FilmProblem};
 pub use shaft::{FloatingShaft, ShaftJournal, ShaftOrbits, ShaftRequest};
 pub use sheet::{
-    BearingFilm, BearingFilmRequest, BearingKind, FilmOil, FilmSource, ShaftBody, bearing_film, shaft_films,
+    BearingFilm, BearingFilmRequest, BearingKind, Carried, FilmOil, FilmSource, ShaftBody, bearing_film,
+    shaft_films,
 };
 pub use short::{ocvirk_load, short_bearing_force};
 pub use solution::{FilmSolution, attitude};

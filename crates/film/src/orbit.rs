@@ -9,6 +9,7 @@ use crate::error::{FilmError, require};
 use crate::grid::FilmGrid;
 use crate::plane::{Plane, add, direction, length, quarter};
 use crate::problem::FilmProblem;
+use crate::solution::FilmSolution;
 use crate::solver::FilmSolver;
 use crate::table::FilmTable;
 use lanchester_numerics::{Outcome, Radau5, Settings, System};
@@ -112,6 +113,13 @@ pub struct FilmOrbit {
     pub steps: u64,
 }
 
+impl FilmOrbit {
+    /// Least film at the middle or, where the journal is tilted, at an end of the bearing [m].
+    pub fn least_anywhere(&self) -> f64 {
+        self.least_edge_film.map_or(self.least_film, |edge| edge.min(self.least_film))
+    }
+}
+
 struct Orbit<'a> {
     request: OrbitRequest<'a>,
     scale: f64,
@@ -204,7 +212,7 @@ impl System for Orbit<'_> {
 pub fn journal_orbit(request: &OrbitRequest) -> Result<FilmOrbit, FilmError> {
     let Traced { system, orbit, outcome, periods, change, steps } = trace(request)?;
     let mut found = match request.mass {
-        None => films(&system, &orbit, Along::QuasiStatic)?,
+        None => films(&system, &orbit, None)?,
         Some(_) => {
             let (n, step) = (orbit.len(), 2.0 * request.cycle.duration / orbit.len() as f64);
             let velocity = |i: usize| {
@@ -212,7 +220,7 @@ pub fn journal_orbit(request: &OrbitRequest) -> Result<FilmOrbit, FilmError> {
                 [0, 1].map(|k| (after[k] - before[k]) / step * request.bearing.clearance)
             };
             let velocities: Vec<Plane> = (0..n).map(velocity).collect();
-            films(&system, &orbit, Along::Given(&velocities, None))?
+            films(&system, &orbit, Some(Along { velocities: &velocities, slopes: None, reached: n }))?
         }
     };
     found.outcome = outcome;
@@ -346,35 +354,34 @@ fn check(request: &OrbitRequest) -> Result<(), FilmError> {
 
 /// How a journal moves along its orbit.
 #[derive(Clone, Copy)]
-enum Along<'a> {
-    /// As the film lets it.
-    QuasiStatic,
-    /// Its velocity [m/s] and the slope of its axis [rad] at every instant, if that counts.
-    Given(&'a [Plane], Option<&'a [Plane]>),
+pub(crate) struct Along<'a> {
+    /// Its velocity at every instant [m/s].
+    pub velocities: &'a [Plane],
+    /// The slope of its axis at every instant [rad], where it counts.
+    pub slopes: Option<&'a [Plane]>,
+    /// How many instants the orbit has reached.
+    pub reached: usize,
 }
 
-/// Film along an orbit of eccentricity ratios whose velocities [m/s] are known, with the slopes of the journal's axis [rad] where they count.
+/// Film along an orbit of eccentricity ratios whose motion is known.
 ///
 /// # Errors
 /// [`FilmError`] where a film cannot be solved.
 pub(crate) fn films_along(
     request: &OrbitRequest,
     orbit: &[Plane],
-    velocities: &[Plane],
-    slopes: Option<&[Plane]>,
+    along: Along,
 ) -> Result<FilmOrbit, FilmError> {
     let system = Orbit { request: *request, scale: request.bearing.force_scale(request.viscosity) };
-    films(&system, orbit, Along::Given(velocities, slopes))
+    films(&system, orbit, Some(along))
 }
 
-/// Film along an orbit.
-fn films(system: &Orbit, orbit: &[Plane], along: Along) -> Result<FilmOrbit, FilmError> {
+/// Film along an orbit; without a known motion that of the quasi-static journal.
+fn films(system: &Orbit, orbit: &[Plane], along: Option<Along>) -> Result<FilmOrbit, FilmError> {
     let request = &system.request;
     let (bearing, cycle) = (&request.bearing, request.cycle);
-    let slopes = match along {
-        Along::Given(_, slopes) => slopes,
-        Along::QuasiStatic => None,
-    };
+    let slopes = along.and_then(|along| along.slopes);
+    let reached = along.map_or(orbit.len(), |along| along.reached.min(orbit.len()));
     // How much further the axis lies at the end +L/2, over the clearance.
     let tilt = |i: usize| {
         let slope = slopes.map_or([0.0; 2], |slopes| slopes[i]);
@@ -385,7 +392,7 @@ fn films(system: &Orbit, orbit: &[Plane], along: Along) -> Result<FilmOrbit, Fil
         reach[0].max(reach[1])
     };
     let n = orbit.len();
-    let least = farthest(orbit);
+    let least = farthest(&orbit[..reached]);
     let mut found = FilmOrbit {
         outcome: OrbitOutcome::NotPeriodic,
         periods: 0,
@@ -394,7 +401,8 @@ fn films(system: &Orbit, orbit: &[Plane], along: Along) -> Result<FilmOrbit, Fil
         least_film: bearing.clearance * (1.0 - length(orbit[least])),
         least_film_at: least as f64 / n as f64,
         least_film_angle: orbit[least][1].atan2(orbit[least][0]),
-        least_edge_film: slopes.map(|_| bearing.clearance * (1.0 - (0..n).map(edge).fold(0.0, f64::max))),
+        least_edge_film: slopes
+            .map(|_| bearing.clearance * (1.0 - (0..reached).map(edge).fold(0.0, f64::max))),
         largest_pressure: 0.0,
         largest_pressure_at: 0.0,
         friction_power: 0.0,
@@ -405,44 +413,65 @@ fn films(system: &Orbit, orbit: &[Plane], along: Along) -> Result<FilmOrbit, Fil
         table_error: 0.0,
         steps: 0,
     };
-    let count = if slopes.is_some() { TILTED_INSTANTS } else { INSTANTS }.min(n);
-    let mut instants: Vec<usize> = (0..count).map(|k| k * n / count).collect();
-    let regular = instants.len() as f64;
-    instants.push(least);
-    for (k, &i) in instants.iter().enumerate() {
-        let (s, at) = (i as f64 / n as f64, orbit[i]);
-        let contact = system.contact(at);
+    let largest_load = cycle.load.iter().map(|load| length(*load)).fold(0.0, f64::max);
+    let motion = |i: usize| -> Result<JournalMotion, FilmError> {
         let velocity = match along {
-            Along::QuasiStatic => system.quasi_static(s, at)?,
-            Along::Given(velocities, _) => velocities[i],
+            None => system.quasi_static(i as f64 / n as f64, orbit[i])?,
+            Some(along) => along.velocities[i],
         };
-        // A journal that touches at its end has no film there: parallel axes then.
-        let tilt = if edge(i) < TOUCHES { tilt(i).map(|part| part * bearing.clearance) } else { [0.0; 2] };
-        let motion = JournalMotion {
-            eccentricity: at.map(|part| part * bearing.clearance),
+        Ok(JournalMotion {
+            eccentricity: orbit[i].map(|part| part * bearing.clearance),
             velocity,
             entrainment: cycle.entrainment[i],
             sliding: cycle.sliding[i],
-        };
+        })
+    };
+    let solve = |i: usize, tilt: Plane| -> Result<FilmSolution, FilmError> {
         let problem = FilmProblem {
             bearing: *bearing,
             viscosity: request.viscosity,
-            motion,
+            motion: motion(i)?,
             tilt,
             cavitation: request.table.cavitation(),
             feeds: Vec::new(),
         };
         let grid = match problem.is_symmetric() {
-            true => FilmGrid::graded(CELLS.0, CELLS.1, true, at)?,
-            false => FilmGrid::graded(TILTED_CELLS.0, TILTED_CELLS.1, false, at)?,
+            true => FilmGrid::graded(CELLS.0, CELLS.1, true, orbit[i])?,
+            false => FilmGrid::graded(TILTED_CELLS.0, TILTED_CELLS.1, false, orbit[i])?,
         };
-        let film = FilmSolver::new(grid)?.solve(&problem)?;
+        FilmSolver::new(grid)?.solve(&problem)
+    };
+    let over = |count: usize| (0..count.min(n)).map(move |k| k * n / count.min(n)).filter(|i| *i < reached);
+    let mut instants: Vec<usize> = over(if slopes.is_some() { TILTED_INSTANTS } else { INSTANTS }).collect();
+    let regular = instants.len() as f64;
+    instants.push(least);
+    if slopes.is_some() {
+        // The peak lies between few instants: parallel axes tell where.
+        let mut most = (least, 0.0);
+        for i in over(INSTANTS) {
+            let pressure = solve(i, [0.0; 2])?.largest_pressure;
+            if pressure > most.1 {
+                most = (i, pressure);
+            }
+        }
+        let near = (n / INSTANTS / 2).max(1);
+        instants.extend(
+            [most.0.saturating_sub(near), most.0, most.0 + near].into_iter().filter(|i| *i < reached),
+        );
+    }
+    for (k, &i) in instants.iter().enumerate() {
+        let (s, at) = (i as f64 / n as f64, orbit[i]);
+        let contact = system.contact(at);
+        // A journal that touches at its end has no film there: parallel axes then.
+        let tilt = if edge(i) < TOUCHES { tilt(i).map(|part| part * bearing.clearance) } else { [0.0; 2] };
+        let film = solve(i, tilt)?;
         if film.largest_pressure > found.largest_pressure {
             (found.largest_pressure, found.largest_pressure_at) = (film.largest_pressure, s);
         }
-        let load = length(cycle.load[i]);
+        // Where the load is that of the film itself it passes near zero.
+        let load = if along.is_some() { largest_load } else { length(cycle.load[i]) };
         if load > 0.0 {
-            let table = request.table.impedance(at, motion.closing())?.force.map(|f| f * system.scale);
+            let table = request.table.impedance(at, motion(i)?.closing())?.force.map(|f| f * system.scale);
             found.table_error = found.table_error.max(length(add(table, -1.0, film.force)) / load);
             found.contact_share = found.contact_share.max(length(contact) / load);
         }

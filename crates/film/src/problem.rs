@@ -57,7 +57,7 @@ pub struct FilmProblem {
     pub tilt: Plane,
     /// Cavitation.
     pub cavitation: Cavitation,
-    /// FilmMethod, holes, lines.
+    /// Grooves, holes, lines.
     pub feeds: Vec<Feed>,
 }
 

@@ -9,7 +9,7 @@
 use crate::bearing::{JournalBearing, check_viscosity};
 use crate::contact::contact_force;
 use crate::error::{FilmError, require};
-use crate::orbit::{FilmOrbit, JournalCycle, OrbitOutcome, OrbitRequest, check_cycle, films_along};
+use crate::orbit::{Along, FilmOrbit, JournalCycle, OrbitOutcome, OrbitRequest, check_cycle, films_along};
 use crate::plane::{Plane, add, direction, length, quarter};
 use crate::table::FilmTable;
 use lanchester_numerics::{Outcome, Radau5, Settings, System};
@@ -231,6 +231,7 @@ impl<'a> FloatingShaft<'a> {
         settings.absolute.iter_mut().skip(4).for_each(|absolute| *absolute = 1e-3);
         let mut integrator = Radau5::new(settings);
         let mut states = vec![[0.0; 8]; n];
+        let mut reached = n;
         let (mut change, mut periods, mut outcome) = (f64::INFINITY, 0, OrbitOutcome::NotPeriodic);
         while periods < MOST_PERIODS {
             let (mut s, mut next) = (periods as f64, 0);
@@ -247,7 +248,12 @@ impl<'a> FloatingShaft<'a> {
             periods += 1;
             if end != Outcome::Reached {
                 outcome = OrbitOutcome::Overloaded;
+                // What was not reached stays where the last instant was.
+                let last =
+                    now[..next].last().copied().unwrap_or_else(|| std::array::from_fn(|k| self.state[k]));
                 states[..next].copy_from_slice(&now[..next]);
+                states[next..].fill(last);
+                reached = next.max(1);
                 self.state.fill(0.0);
                 break;
             }
@@ -269,6 +275,14 @@ impl<'a> FloatingShaft<'a> {
         let slopes: Vec<Plane> =
             states.iter().map(|y| [self.system.units[2] * y[2], self.system.units[3] * y[3]]).collect();
         let (mut orbits, mut loads) = (Vec::new(), Vec::new());
+        // The bearing whose film gave way is the one that is thinnest where the run ended.
+        let thickness = |own: &ShaftJournal, y: &[f64; 8]| {
+            length(self.system.journal(own.z, y).0) / own.bearing.clearance
+        };
+        let gave_way = (0..journals.len()).max_by(|a, b| {
+            let at = |index: &usize| thickness(&journals[*index], &states[reached - 1]);
+            at(a).total_cmp(&at(b))
+        });
         for (index, (journal, viscosity)) in journals.iter().zip(viscosities).enumerate() {
             let moved: Vec<(Plane, Plane)> =
                 states.iter().map(|y| self.system.journal(journal.z, y)).collect();
@@ -289,8 +303,15 @@ impl<'a> FloatingShaft<'a> {
             let c = journal.bearing.clearance;
             let ratios: Vec<Plane> = moved.iter().map(|(place, _)| place.map(|part| part / c)).collect();
             let rates: Vec<Plane> = moved.iter().map(|(_, rate)| *rate).collect();
-            let mut found = films_along(&own, &ratios, &rates, is_tilted.then_some(slopes.as_slice()))?;
-            found.outcome = outcome;
+            let mut found = films_along(
+                &own,
+                &ratios,
+                Along { velocities: &rates, slopes: is_tilted.then_some(slopes.as_slice()), reached },
+            )?;
+            found.outcome = match outcome {
+                OrbitOutcome::Overloaded if gave_way != Some(index) => OrbitOutcome::NotPeriodic,
+                outcome => outcome,
+            };
             (found.periods, found.change, found.steps) = (periods, change, steps);
             orbits.push(found);
             loads.push(carried);

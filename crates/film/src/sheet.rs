@@ -6,6 +6,7 @@ use crate::direct::{DirectOrbit, DirectRequest};
 use crate::error::FilmError;
 use crate::oil::{OilCurve, temperature_rise};
 use crate::orbit::{FilmOrbit, JournalCycle, OrbitOutcome, OrbitRequest, journal_orbit};
+use crate::plane::Plane;
 use crate::problem::Feed;
 use crate::shaft::{FloatingShaft, ShaftJournal, ShaftRequest};
 use crate::table::FilmTable;
@@ -84,8 +85,20 @@ pub struct BearingFilm {
     /// Angle of the shell's frame at the instants of the orbit [rad]: of a big end the rod's line towards the piston. Empty: it does not turn.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub shell_angle: Vec<f64>,
+    /// Of a journal of a shaft that floats in its films: what film and contact carry at every instant [N], and the slope of its axis [rad].
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub carried: Vec<Carried>,
     /// Orbit and film.
     pub orbit: FilmOrbit,
+}
+
+/// A journal of a floating shaft at an instant.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
+pub struct Carried {
+    /// Force of the journal on its bearing [N].
+    pub load: Plane,
+    /// Slope of its axis along x and y [rad].
+    pub slope: Plane,
 }
 
 /// Where the force of a film comes from.
@@ -97,7 +110,7 @@ pub enum FilmSource<'a> {
     Direct {
         /// Cavitation.
         cavitation: Cavitation,
-        /// FilmMethod and holes, in the shell's frame.
+        /// Grooves and holes, in the shell's frame.
         feeds: &'a [Feed],
     },
 }
@@ -231,6 +244,7 @@ fn told(request: &BearingFilmRequest, cycle: &JournalCycle, found: Found) -> Bea
         largest_pressure_angle: orbit.largest_pressure_at * request.period,
         roughness: request.roughness,
         shell_angle: request.shell.to_vec(),
+        carried: Vec::new(),
         orbit,
     }
 }
@@ -300,9 +314,15 @@ pub fn shaft_films(
     Ok(each
         .map(|((((own, orbit), load), temperature), viscosity)| {
             let rise = rise_of(own, &orbit);
+            let carried =
+                load.iter().zip(&found.slopes).map(|(load, slope)| Carried { load: *load, slope: *slope });
+            let carried = carried.collect();
             let cycle = JournalCycle { load, ..own.cycle.clone() };
             let balanced = is_balanced;
-            told(own, &cycle, Found { orbit, viscosity, temperature, rise, balanced })
+            BearingFilm {
+                carried,
+                ..told(own, &cycle, Found { orbit, viscosity, temperature, rise, balanced })
+            }
         })
         .collect())
 }

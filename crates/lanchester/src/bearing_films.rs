@@ -268,7 +268,11 @@ fn films_at(
                 shaft_films(&requests, &places, shaft.body)
             }
         };
-        let refused = |error| BearingFilmsError::Bearing { bearing: asked[members[0]].0.name(), error };
+        let name = match shaft {
+            None => asked[members[0]].0.name(),
+            Some(shaft) => format!("main bearings of crankshaft {}", shaft.crankshaft),
+        };
+        let refused = |error| BearingFilmsError::Bearing { bearing: name, error };
         Ok(members.iter().copied().zip(found.map_err(refused)?).collect::<Vec<_>>())
     };
     let found = groups.par_iter().map(film).collect::<Result<Vec<_>, BearingFilmsError>>()?;
@@ -384,7 +388,7 @@ fn floating_shafts(
         }
         false => "big ends and single mains: each journal by itself, without mass (quasi-static)".into(),
     });
-    assumptions.push("shells rigid; tables of films with parallel axes move the shaft; pressure, friction and flow are of films with its tilt".into());
+    assumptions.push("shells rigid; films with parallel axes move the shaft and balance its heat, contact is that of the middle of a bearing; pressure, friction and flow are of films with its tilt, but where an end touches".into());
     Ok(shafts)
 }
 

@@ -108,9 +108,14 @@ pub struct WebSheet {
 }
 
 impl WebSheet {
-    /// The sheets of its pin's and its journal's fillet: by the formulas, or by finite elements where a ratio lies outside their range.
+    fn is_meshed_as_it_is(&self) -> bool {
+        self.section.pin_recess == 0.0 && self.section.journal_recess == 0.0
+    }
+
+    /// The sheets of its pin's and its journal's fillet: by the formulas, or by finite elements where a ratio lies outside their range. Elements do not
+    /// judge fillets with an undercut, which their mesh does not have.
     pub fn judged(&self) -> [Option<FilletSheet>; 2] {
-        let other = self.by_elements;
+        let other = self.by_elements.filter(|_| self.is_meshed_as_it_is());
         [
             self.pin_fillet.or(other.map(|own| own.pin_fillet)),
             self.journal_fillet.or(other.map(|own| own.journal_fillet)),
@@ -179,7 +184,7 @@ impl ThrowSheet {
     /// What neither the formulas nor finite elements judge, and why.
     pub fn unjudged(&self) -> impl Iterator<Item = (String, RangeBreach)> + '_ {
         let by_elements = |place: &String| {
-            self.webs.iter().any(|web| web.by_elements.is_some() && *place == format!("web {}", web.web))
+            self.webs.iter().any(|web| web.judged()[0].is_some() && *place == format!("web {}", web.web))
         };
         self.breaches().filter(move |(place, _)| !by_elements(place))
     }

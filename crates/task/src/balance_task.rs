@@ -23,7 +23,7 @@ pub struct BalanceTask {
     pub inertias: Vec<FreeInertia>,
     /// Weights that depend on one another.
     pub ties: Vec<Tie>,
-    /// What is minimised: the first stage first, each next one without giving up any before it. Empty: force, then
+    /// What is minimised: the first stage first, each next one without degrading the previous ones. Empty: force, then
     /// couple. Among answers that all stages leave equal the one is chosen whose force and couple, as far as no stage
     /// names them, and then roll moment are least; of those, where a weight on a crankshaft is free, the one with the least
     /// root mean square of main-bearing loads, then the least largest one, then the least bending moment; of those the

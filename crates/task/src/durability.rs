@@ -94,7 +94,7 @@ pub struct AtLeast {
 /// Films and safeties that balancing is to care for.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct DurabilityWish {
-    /// What is to be large, the first first.
+    /// What is to be large, in order of priority.
     pub maximise: Vec<DurabilityCriterion>,
     /// What must hold.
     pub at_least: Vec<AtLeast>,

@@ -4,7 +4,7 @@ use crate::workspace;
 use anyhow::Result;
 
 /// What is not said, in small letters, and what the field says.
-const WORDS: [(&str, &str); 24] = [
+const WORDS: [(&str, &str); 27] = [
     ("a way to mend", "a suggested fix"),
     ("our own fault", "internal error"),
     ("that nothing beats", "Pareto-optimal"),
@@ -29,6 +29,9 @@ const WORDS: [(&str, &str); 24] = [
     ("it would do to change", "relaxing any one of these is sufficient"),
     ("natural motions of the block", "rigid-body modes"),
     ("what the firings excite", "firing excitation by order"),
+    ("the first first,", "in order of priority"),
+    ("seen from another side", "equivalent by symmetry"),
+    ("giving up any", "without degrading the previous ones"),
 ];
 
 /// Where words are those of the past or of others: changes, decisions, this list.

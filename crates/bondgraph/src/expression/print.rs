@@ -19,8 +19,9 @@ pub(crate) struct Printed<'a, N> {
     pub(crate) longest: usize,
 }
 
-/// A number as short as it can be written.
+/// A number to twelve digits, as short as it can be written: what is beyond them is the rounding of sums.
 fn number(value: f64) -> String {
+    let value = format!("{value:.11e}").parse().unwrap_or(value);
     let size = value.abs();
     if value == value.trunc() && size < 1e6 {
         format!("{value:.0}")

@@ -26,7 +26,8 @@ pub fn causality_text(graph: &Graph, causality: &Causality) -> String {
     for follower in &causality.followers {
         let (first, rest) = follower.path.split_first().map_or(("", [].as_slice()), |(f, r)| (f.as_str(), r));
         let through = rest.split_last().map_or(String::new(), |(_, through)| through.join(", "));
-        let _ = writeln!(out, "{} follows {first} through {through}: not a state", follower.element);
+        let through = if through.is_empty() { through } else { format!(" through {through}") };
+        let _ = writeln!(out, "{} follows {first}{through}: not a state", follower.element);
     }
     if causality.loops.is_empty() {
         out += "No algebraic loop.\n";

@@ -13,8 +13,8 @@ pub struct DurableArguments {
     /// engine with a viscosity at work, the search some seconds.
     #[arg(long, value_name = "LIMIT", conflicts_with_all = ["robust", "search", "method"])]
     pub at_least: Vec<String>,
-    /// Oil film or safety that the local search makes as large as it can, without raising a stage beyond its `--give-up`; may be given several times, the
-    /// first first.
+    /// Oil film or safety that the local search makes as large as it can, without raising a stage beyond its `--give-up`; may be given several times, in
+    /// order of priority.
     #[arg(long, alias = "maximize", value_name = "CRITERION", conflicts_with_all = ["robust", "search", "method"])]
     pub maximise: Vec<String>,
     /// Most engines whose films are computed for the local search.

@@ -393,7 +393,7 @@ pub struct RuleArguments {
     /// Take the torsional vibration from the chain of `torsion` at each speed. Needs what `torsion` needs.
     #[arg(long, conflicts_with = "torsional_vibration")]
     pub with_torsion: bool,
-    /// Stress concentration factors by finite elements beside those of the formulas: each throw meshed and solved, some seconds each.
+    /// Stress concentration factors by finite elements beside those of the formulas: each throw that is not like another meshed and solved, about a minute and 4 to 6 GiB each.
     #[arg(long)]
     pub finite_elements: bool,
     /// With --finite-elements: size of the elements away from fillets, with its unit; default that of [crank.mesh], else 8 mm.
@@ -402,6 +402,9 @@ pub struct RuleArguments {
     /// With --finite-elements: elements across the 90 deg of a fillet, an even number from 6 on.
     #[arg(long, value_name = "N", requires = "finite_elements")]
     pub fillet_elements: Option<usize>,
+    /// With --finite-elements: most memory that matrix and factor may take, such as `4 GiB`; default 8 GiB.
+    #[arg(long, value_name = "SIZE", requires = "finite_elements")]
+    pub memory: Option<String>,
     /// Leave out the gas of the file.
     #[arg(long)]
     pub inertia_only: bool,

@@ -23,6 +23,9 @@ use serde::Serialize;
 use std::collections::HashMap;
 use std::f64::consts::{FRAC_PI_4, PI, TAU};
 
+/// Most elements that are meshed, by volume alone: ten times what a common computer solves.
+const MOST_CELLS: f64 = 3e6;
+
 /// Sets of the end faces of a bay.
 pub const CUTS: [&str; 2] = ["CUT_1", "CUT_2"];
 
@@ -119,6 +122,7 @@ fn mesh_of(
     let elements = engine
         .crank_elements(index)
         .map_err(|fault| refuse("crankshaft", fault.to_string(), "complete [crank.body] and [crank]"))?;
+    check_size(&body, options)?;
     let (bars, segments) = segments(&elements, options, &mut left_out)?;
     let (bars, segments, ends) = match pin {
         None => (bars, segments, ["FREE_END", "FLYWHEEL"]),
@@ -213,6 +217,22 @@ fn mesh_of(
         return Err(misshapen(&bars, element, at, quality.least_jacobian, LEAST_JACOBIAN));
     }
     Ok(CrankMesh { mesh, quality, corners, webs, body_mass: body.mass.mass, left_out })
+}
+
+/// Refuses elements of which the body would have too many, before any is made.
+fn check_size(body: &CrankshaftBody, options: CrankMeshOptions) -> Result<(), FlexError> {
+    let volume: f64 =
+        body.outlines().map(|(_, outline, [front, rear])| outline.moments().area * (rear - front)).sum();
+    let least = (volume / MOST_CELLS).cbrt();
+    if options.size >= least {
+        return Ok(());
+    }
+    Err(FlexError::Number {
+        quantity: "size of the elements [m]".to_owned(),
+        needed: format!("at least {least:.1e}, for {MOST_CELLS:.0e} elements in this crankshaft"),
+        got: options.size,
+        hint: "8 mm is usual; elements across a fillet are finer by themselves",
+    })
 }
 
 /// What is beside the front and the rear face of each bar.

@@ -13,6 +13,9 @@ use lanchester_model::Engine;
 use lanchester_report::{CrankRule, MeshOrigin, ThrowMesh};
 use lanchester_strength::{FactorValues, FilletStresses, RuleMaterial, RuleThrow, rule_throws};
 
+/// Words of what lies outside every throw.
+const BEYOND: &str = "(beyond the end journals)";
+
 /// Fewest elements across a fillet that the rule's appendix accepts.
 const FEWEST: usize = 6;
 
@@ -43,9 +46,18 @@ pub fn with_element_factors(
         RuleMaterial { tensile_strength: rule.tensile_strength.value, forging: rule.forging.value };
     let body = crankshaft(engine, mesh.crankshaft).map_err(FlexError::from)?;
     let mut solved: Vec<Solved> = Vec::new();
+    let (mut left_out, mut bored): (Vec<String>, Vec<String>) = (Vec::new(), Vec::new());
     for throw in rule_throws(engine, mesh.crankshaft)? {
         let (bay, options) = meshed(engine, mesh, throw.throw + 1)?;
         let supports = ThrowSupports { pin: throw.throw + 1, mains: throw.mains };
+        for words in bay.left_out.iter().filter(|words| !words.contains(BEYOND)) {
+            if !left_out.contains(words) {
+                left_out.push(words.clone());
+            }
+        }
+        if throw.sections.iter().any(|section| section.pin_bore > 0.0) {
+            bored.push((throw.throw + 1).to_string());
+        }
         let shape = ThrowShape::new(&body, &bay, &throw)?;
         let known = solved.iter().find_map(|own| {
             let [front, rear] = own.factors;
@@ -74,6 +86,18 @@ pub fn with_element_factors(
             }
         }
         rule.by_elements.push(mesh);
+    }
+    if !left_out.is_empty() {
+        let all = left_out.join(", ");
+        rule.notes.push(format!(
+            "Not meshed for factors by finite elements: {all}. They do not judge fillets with a recess."
+        ));
+    }
+    if !bored.is_empty() {
+        rule.notes.push(format!(
+            "The bore of pin {} ends at its webs, in [crank.body] and in the mesh; that of the formulas, d_H, goes through them.",
+            bored.join(", ")
+        ));
     }
     if mesh.own.is_some() {
         rule.notes.push(

@@ -121,8 +121,7 @@ fn factors_by_elements_stand_near_those_of_the_formulas() {
     };
     let own = stresses.factors(&throws[0], 0);
     let rule = RuleFactors::new(&throws[0].sections[0].ratios()).values();
-    // The pin's formulas were fitted to measurements of such throws; those of the journal lie on the safe side in bending and leave a thicker journal out in
-    // torsion.
+    // Solid pins: of such throws the formulas for the pin are near; how far those for the journal are off is what this crankshaft gives.
     let off = |own: f64, rule: f64| own / rule - 1.0;
     assert!(off(own.alpha_b, rule.alpha_b).abs() < 0.08, "{own:?} {rule:?}");
     assert!(off(own.alpha_t, rule.alpha_t).abs() < 0.08, "{own:?} {rule:?}");

@@ -44,7 +44,7 @@ pub fn films_over_speed_figure(speeds: &[(f64, &[BearingFilm])]) -> Option<Figur
         let name = bearing_name(film);
         let least = speeds.iter().filter_map(|(speed, films)| {
             let film = films.get(k)?;
-            Some((crate::kit::number::rpm(*speed), film.orbit.least_film))
+            Some((crate::kit::number::rpm(*speed), film.orbit.least_anywhere()))
         });
         XyCurve {
             name: if several { format!("{name}, {}", film.cavitation.name()) } else { name },

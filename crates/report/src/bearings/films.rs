@@ -22,7 +22,7 @@ pub fn films_table(films: &[BearingFilm]) -> Table {
         _ if film.orbit.least_edge_film.is_some_and(|film| film <= 0.0) => "an end touches",
         _ if film.orbit.contact_time > 0.0 => "contact",
         OrbitOutcome::NotPeriodic => "not periodic",
-        OrbitOutcome::Periodic if film.orbit.least_film < film.roughness => "below roughness",
+        OrbitOutcome::Periodic if film.orbit.least_anywhere() < film.roughness => "below roughness",
         OrbitOutcome::Periodic if !film.heat_balanced => "no heat balance",
         OrbitOutcome::Periodic if film.cavitation == Cavitation::Full && film.temperature_rise.is_none() => {
             "no flow takes the heat"
@@ -30,7 +30,7 @@ pub fn films_table(films: &[BearingFilm]) -> Table {
         OrbitOutcome::Periodic if film.temperature_rise.is_none_or(|rise| rise > HOT) => {
             "rise beyond any oil"
         }
-        OrbitOutcome::Periodic if film.roughness == 0.0 && film.orbit.least_film < ROUGH => {
+        OrbitOutcome::Periodic if film.roughness == 0.0 && film.orbit.least_anywhere() < ROUGH => {
             "thinner than surfaces are rough"
         }
         OrbitOutcome::Periodic => "",
@@ -76,8 +76,9 @@ pub fn films_over_speed_table(speeds: &[(f64, &[BearingFilm])]) -> Table {
     for (k, film) in first.iter().enumerate() {
         let name = bearing_name(film);
         let name = if several { format!("{name}, {}", film.cavitation.name()) } else { name };
-        let least =
-            speeds.iter().map(|(_, films)| films.get(k).map_or(f64::NAN, |film| 1e6 * film.orbit.least_film));
+        let least = speeds
+            .iter()
+            .map(|(_, films)| films.get(k).map_or(f64::NAN, |film| 1e6 * film.orbit.least_anywhere()));
         columns.push(numbers(&name, "um", least, 4));
     }
     Table::of_columns("films-over-speed", "Least film over speed", "Over the cycle at each speed.", columns)
@@ -98,7 +99,8 @@ pub struct FilmsInput<'a> {
 
 /// The chapter on oil films; `None` without a film.
 pub fn films_section(input: &FilmsInput<'_>) -> Option<Section> {
-    let least = input.films.iter().min_by(|a, b| a.orbit.least_film.total_cmp(&b.orbit.least_film))?;
+    let least =
+        input.films.iter().min_by(|a, b| a.orbit.least_anywhere().total_cmp(&b.orbit.least_anywhere()))?;
     Some(
         Section::new("oil-films", "Oil films", "Oil films of the bearings")
             .lead(least_words(input.speed, least))
@@ -111,7 +113,7 @@ pub fn films_section(input: &FilmsInput<'_>) -> Option<Section> {
 /// The sentence that matters most: the thinnest film, where, when, against what.
 fn least_words(speed: f64, film: &BearingFilm) -> String {
     let rpm = number::terminal(number::rpm(speed), 0);
-    let least = 1e6 * film.orbit.least_film;
+    let least = 1e6 * film.orbit.least_anywhere();
     let against = match film.roughness > 0.0 {
         true => format!(
             "; the roughness of both surfaces together is {} um",
@@ -123,6 +125,11 @@ fn least_words(speed: f64, film: &BearingFilm) -> String {
         OrbitOutcome::Overloaded => {
             format!("At {rpm} rpm the load of {} is more than its film carries.", bearing_name(film))
         }
+        _ if film.orbit.least_anywhere() < film.orbit.least_film => format!(
+            "At {rpm} rpm the thinnest film is {} um, at an end of {}, whose journal is tilted{against}.",
+            number::short(least, 3),
+            bearing_name(film),
+        ),
         _ => format!(
             "At {rpm} rpm the thinnest film is {} um, in {} at {} deg of crank angle{against}.",
             number::short(least, 3),
@@ -137,14 +144,21 @@ pub fn films_text(engine: &str, speed: f64, films: &[BearingFilm], assumptions: 
     let rpm = number::terminal(number::rpm(speed), 0);
     let mut out = format!("{engine} at {rpm} rpm: oil films\n\n");
     let mut models: Vec<Cavitation> = Vec::new();
-    for film in films.iter().filter(|film| film.orbit.outcome != OrbitOutcome::Overloaded) {
+    for film in films {
         if !models.contains(&film.cavitation) {
             models.push(film.cavitation);
         }
     }
     for model in models {
         let own = films.iter().filter(|film| film.cavitation == model);
-        if let Some(least) = own.min_by(|a, b| a.orbit.least_film.total_cmp(&b.orbit.least_film)) {
+        for film in own.clone().filter(|film| film.orbit.outcome == OrbitOutcome::Overloaded) {
+            push_wrapped(&mut out, "", &format!("{}: {}", model.name(), least_words(speed, film)));
+        }
+        // Where one gives way, the others of its shaft have no whole orbit.
+        let gives_way = own.clone().any(|film| film.orbit.outcome == OrbitOutcome::Overloaded);
+        let own = own.filter(|film| !gives_way || film.orbit.outcome == OrbitOutcome::Periodic);
+        if let Some(least) = own.min_by(|a, b| a.orbit.least_anywhere().total_cmp(&b.orbit.least_anywhere()))
+        {
             push_wrapped(&mut out, "", &format!("{}: {}", model.name(), least_words(speed, least)));
         }
     }

@@ -233,7 +233,7 @@ pub fn layout_search_words(answer: &ExploreAnswer) -> String {
         .iter()
         .map(|invalid| (invalid.cases, format!("have an invalid geometry: {}", invalid.reason.text())))
         .collect();
-    lines.push((counts.duplicates, "are another case seen from another side".to_owned()));
+    lines.push((counts.duplicates, "are equivalent to another case by symmetry".to_owned()));
     lines.extend(counts.broken.iter().map(|broken| (broken.cases, format!("break: {}", broken.constraint))));
     lines.push((counts.judged, "were judged".to_owned()));
     let width = lines.iter().map(|(cases, _)| number::whole(*cases).len()).max().unwrap_or(0);

@@ -123,10 +123,13 @@ impl CrankRule {
                 )
             }
         };
-        if let Some((place, safety)) = self.decisive().and_then(SpeedSheet::least_by_elements) {
-            let safety = number::short(safety, 3);
+        let by_elements = |sheet: &SpeedSheet| Some((sheet.speed, sheet.least_by_elements()?));
+        let least = self.speeds.iter().filter_map(by_elements).min_by(|a, b| a.1.1.total_cmp(&b.1.1));
+        if let Some((speed, (place, safety))) = least {
             words.push_str(&format!(
-                " With factors by finite elements the least is Q = {safety}, at {place}."
+                " With factors by finite elements the least is Q = {} at {place} at {} rpm.",
+                number::short(safety, 3),
+                number::terminal(number::rpm(speed), 0),
             ));
         }
         let breaches = self.unjudged();

@@ -78,6 +78,9 @@ impl CrankRule {
         let verdict = |place: &Place| match place.judged() {
             None => "not judged".to_owned(),
             Some(own) if own.safety < self.acceptable => "below the rule".to_owned(),
+            Some(_) if place.by_elements.is_some_and(|own| own.safety < self.acceptable) => {
+                "below the rule by elements".to_owned()
+            }
             Some(_) => String::new(),
         };
         let mut columns = vec![

@@ -53,7 +53,7 @@ pub struct Counts {
     pub cases: u128,
     /// No engine, by the first reason that holds; counted before duplicates are.
     pub invalid: Vec<InvalidCount>,
-    /// The same layout as a case of lower number, seen from another side.
+    /// Equivalent to a case of lower number by symmetry.
     pub duplicates: u128,
     /// By constraint, in the order of the request.
     pub broken: Vec<Broken>,

@@ -110,7 +110,7 @@ impl Firing {
         (0..pairs).filter(|&k| side_by_side(self.order[k], self.order[(k + 1) % count])).count()
     }
 
-    /// The code of the same firing seen from another side, on a crank that looks the same from there: `from` is the
+    /// The code of an equivalent firing, on a crank that looks the same from there: `from` is the
     /// cylinder that stands where cylinder j stood, time runs backward if `reversed`.
     pub fn code_seen(&self, code: u64, from: impl Fn(usize) -> usize, reversed: bool) -> u64 {
         let angle = |cylinder: usize| {

@@ -1,7 +1,7 @@
 //! Search over layouts: throw angles, firing order, bank angle, offset pins, rod ratio, counterweights, shafts.
 //!
 //! A [`Space`] is a product of lists. Its cases are numbered, and number and case determine each other, so that a run may
-//! be cut anywhere and memory does not grow with the number of cases. Equal layouts seen from another side are one
+//! be cut anywhere and memory does not grow with the number of cases. Layouts that are equivalent by symmetry are one
 //! (symmetry). [`Explorer`] judges cases; [`Exploration`] is what is known so far.
 
 mod answer;

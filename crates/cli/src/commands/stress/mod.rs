@@ -248,8 +248,10 @@ fn rule(arguments: &RuleArguments, colour: bool) -> Result<u8, Failure> {
     let found = match arguments.finite_elements {
         true => {
             let mesh = rule_mesh(arguments, &opened.file)?;
-            with_element_factors(engine, found, &mesh, SolveOptions::default(), &say)
-                .map_err(Failure::refused)?
+            let memory = arguments.memory.as_deref().map(memory).transpose()?;
+            let usual = SolveOptions::default();
+            let solve = SolveOptions { memory: memory.unwrap_or(usual.memory), ..usual };
+            with_element_factors(engine, found, &mesh, solve, &say).map_err(Failure::refused)?
         }
         false => found,
     };

@@ -34,7 +34,7 @@ pub(super) static BALANCE: Table = Table {
             "minimise",
             Kind::Stages,
             Optional,
-            "Criteria, the first first, each next one without giving up any before it; default force, then couple. \
+            "Criteria in order of priority, each next one without degrading the previous ones; default force, then couple. \
              Among equals: of force and couple what is not named; then, if a weight on a crankshaft is free, \
              `main-bearing load rms`, `main-bearing load`, `bending moment`; then the lightest. Several at once stand in a table, each with the value that counts as much as those of the others: their \
              shares of these values are added.",
@@ -69,7 +69,7 @@ pub(super) static BALANCE: Table = Table {
             "maximise",
             Kind::Durabilities,
             Optional,
-            "Oil films and safeties that a local search makes large after the optimum of `minimise`, the first first, without raising any stage beyond \
+            "Oil films and safeties that a local search makes large after the optimum of `minimise`, in order of priority, without raising any stage beyond \
              what `give_up` allows.",
             "[\"main-bearing film\"]",
         ),

@@ -53,7 +53,7 @@ export type Answer = {
    * What decided among answers that the stages leave equal: of force and couple what no stage names, then the roll
    * moment if an inertia or the axis of a shaft is free (unless a stage asks for the least weights), then, if a weight on a
    * crankshaft is free, the root mean square of all main-bearing loads, the largest of them and the bending moment, each
-   * without giving up any before it. Empty where nothing was left open. Among what is still equal the answer is the lightest.
+   * without degrading the previous ones. Empty where nothing was left open. Among what is still equal the answer is the lightest.
    */
   among_equals: FoundStage[];
   /** Where orders had to vanish exactly: whether they do, and the proof. */
@@ -374,7 +374,7 @@ export type BalanceTask = {
    */
   speeds: number[];
   /**
-   * What is minimised: the first stage first, each next one without giving up any before it. Empty: force, then
+   * What is minimised: the first stage first, each next one without degrading the previous ones. Empty: force, then
    * couple. Among answers that all stages leave equal the one is chosen whose force and couple, as far as no stage
    * names them, and then roll moment are least; of those, where a weight on a crankshaft is free, the one with the least
    * root mean square of main-bearing loads, then the least largest one, then the least bending moment; of those the
@@ -451,6 +451,8 @@ export type BeamLoads = {
 export type BearingFilm = {
   /** The bearing. */
   bearing: JournalBearing;
+  /** Of a journal of a shaft that floats in its films: what film and contact carry at every instant [N], and the slope of its axis [rad]. */
+  carried?: Carried[];
   /** Model of cavitation. */
   cavitation: Cavitation;
   /** Number of its crankshaft, from 1. */
@@ -717,6 +719,14 @@ export type Capability = {
   cpk_by_percentiles: number;
   /** The limit. */
   limit: number;
+};
+
+/** A journal of a floating shaft at an instant. */
+export type Carried = {
+  /** Force of the journal on its bearing [N]. */
+  load: [number, number];
+  /** Slope of its axis along x and y [rad]. */
+  slope: [number, number];
 };
 
 /** Amounts of which a free weight has one, or none at all. */
@@ -1699,7 +1709,7 @@ export type DurabilityCriterion = "least-film" | {
 export type DurabilityWish = {
   /** What must hold. */
   at_least: AtLeast[];
-  /** What is to be large, the first first. */
+  /** What is to be large, in order of priority. */
   maximise: DurabilityCriterion[];
 };
 

@@ -175,7 +175,7 @@ class EngineDocument {
     });
   }
 
-  /** Edits that are not in the text yet, the first first. */
+  /** Edits that are not in the text yet, the oldest one first. */
   #edits(): Waiting[] {
     return [this.#current, ...this.#waiting].filter((one) => one?.job.edits !== undefined) as Waiting[];
   }
