@@ -46,6 +46,7 @@ __all__ = [
     "CancellationVerdict",
     "CancelledOrder",
     "Capability",
+    "Carried",
     "CatalogueHole",
     "Chain",
     "ChamberMotion",
@@ -120,6 +121,7 @@ __all__ = [
     "DurableStage",
     "Effect",
     "Effect2",
+    "ElementWeb",
     "EnergyLedger",
     "EnergyVariation",
     "Evolution",
@@ -134,6 +136,7 @@ __all__ = [
     "FactorEffect",
     "FactorGiven",
     "FactorPart",
+    "FactorValues",
     "FatigueAtSpeed",
     "FatigueFactors",
     "FilletFatigue",
@@ -191,6 +194,7 @@ __all__ = [
     "Measured",
     "MeshOrigins",
     "MeshQuality",
+    "MeshedThrow",
     "Method",
     "Mode",
     "Mode2",
@@ -299,6 +303,7 @@ __all__ = [
     "ThrowFactor",
     "ThrowInertia",
     "ThrowMasses",
+    "ThrowMesh",
     "ThrowParts",
     "ThrowShare",
     "ThrowSheet",
@@ -409,7 +414,7 @@ class Answer(Record):
         """What decided among answers that the stages leave equal: of force and couple what no stage names, then the roll
         moment if an inertia or the axis of a shaft is free (unless a stage asks for the least weights), then, if a weight on a
         crankshaft is free, the root mean square of all main-bearing loads, the largest of them and the bending moment, each
-        without giving up any before it. Empty where nothing was left open. Among what is still equal the answer is the lightest.
+        without degrading the previous ones. Empty where nothing was left open. Among what is still equal the answer is the lightest.
         """
         return self._all("among_equals", FoundStage)
 
@@ -850,7 +855,7 @@ class Balance(Result):
         """What decided among answers that the stages leave equal: of force and couple what no stage names, then the roll
         moment if an inertia or the axis of a shaft is free (unless a stage asks for the least weights), then, if a weight on a
         crankshaft is free, the root mean square of all main-bearing loads, the largest of them and the bending moment, each
-        without giving up any before it. Empty where nothing was left open. Among what is still equal the answer is the lightest.
+        without degrading the previous ones. Empty where nothing was left open. Among what is still equal the answer is the lightest.
         """
         return self._all("among_equals", FoundStage)
 
@@ -1057,7 +1062,7 @@ class BalanceTask(Record):
 
     @property
     def stages(self) -> Records[Stage]:
-        """What is minimised: the first stage first, each next one without giving up any before it. Empty: force, then
+        """What is minimised: the first stage first, each next one without degrading the previous ones. Empty: force, then
         couple. Among answers that all stages leave equal the one is chosen whose force and couple, as far as no stage
         names them, and then roll moment are least; of those, where a weight on a crankshaft is free, the one with the least
         root mean square of main-bearing loads, then the least largest one, then the least bending moment; of those the
@@ -1136,12 +1141,17 @@ class BearingFilm(Record):
     """A bearing of an engine and its film over the cycle."""
 
     __slots__ = ()
-    _FIELDS = ("bearing", "cavitation", "crankshaft", "heat_balanced", "kind", "largest_load", "largest_pressure_angle", "least_film_angle", "least_film_in_shell", "number", "orbit", "projected_pressure", "roughness", "shell_angle", "temperature", "temperature_rise", "viscosity",)
+    _FIELDS = ("bearing", "carried", "cavitation", "crankshaft", "heat_balanced", "kind", "largest_load", "largest_pressure_angle", "least_film_angle", "least_film_in_shell", "number", "orbit", "projected_pressure", "roughness", "shell_angle", "temperature", "temperature_rise", "viscosity",)
 
     @property
     def bearing(self) -> JournalBearing:
         """The bearing."""
         return self._of("bearing", JournalBearing)  # type: ignore[no-any-return]
+
+    @property
+    def carried(self) -> Records[Carried]:
+        """Of a journal of a shaft that floats in its films: what film and contact carry at every instant [N], and the slope of its axis [rad]."""
+        return self._all("carried", Carried)
 
     @property
     def cavitation(self) -> Literal['full', 'gumbel', 'reynolds', 'mass-conserving']:
@@ -1773,6 +1783,23 @@ class Capability(Record):
     def limit(self) -> float:
         """The limit."""
         return self._get("limit")  # type: ignore[no-any-return]
+
+
+class Carried(Record):
+    """A journal of a floating shaft at an instant."""
+
+    __slots__ = ()
+    _FIELDS = ("load", "slope",)
+
+    @property
+    def load(self) -> FloatArray:
+        """Force of the journal on its bearing [N]."""
+        return self._array("load")  # type: ignore[no-any-return]
+
+    @property
+    def slope(self) -> FloatArray:
+        """Slope of its axis along x and y [rad]."""
+        return self._array("slope")  # type: ignore[no-any-return]
 
 
 class CatalogueHole(Record):
@@ -2740,7 +2767,7 @@ class Counts(Record):
 
     @property
     def duplicates(self) -> int:
-        """The same layout as a case of lower number, seen from another side."""
+        """Equivalent to a case of lower number by symmetry."""
         return self._get("duplicates")  # type: ignore[no-any-return]
 
     @property
@@ -3012,12 +3039,17 @@ class CrankRule(Result):
     """
 
     __slots__ = ()
-    _FIELDS = ("acceptable", "crankshaft", "engine", "forging", "gas", "notes", "rule", "speeds", "tensile_strength", "version",)
+    _FIELDS = ("acceptable", "by_elements", "crankshaft", "engine", "forging", "gas", "notes", "rule", "speeds", "tensile_strength", "version",)
 
     @property
     def acceptable(self) -> float:
         """Least safety that the rule accepts [1]."""
         return self._get("acceptable")  # type: ignore[no-any-return]
+
+    @property
+    def by_elements(self) -> Records[ThrowMesh]:
+        """Meshes of the throws, where their factors by finite elements stand beside those of the formulas."""
+        return self._all("by_elements", ThrowMesh)
 
     @property
     def crankshaft(self) -> int:
@@ -4292,7 +4324,7 @@ class DurabilityWish(Record):
 
     @property
     def maximise(self) -> list[Literal['least-film', 'fillet-safety'] | dict[str, Any]]:
-        """What is to be large, the first first."""
+        """What is to be large, in order of priority."""
         return self._list("maximise")  # type: ignore[no-any-return]
 
 
@@ -4513,6 +4545,28 @@ class Effect2(Record):
     def slope(self) -> Slope:
         """Derivative at the nominal engine."""
         return self._of("slope", Slope)  # type: ignore[no-any-return]
+
+
+class ElementWeb(Record):
+    """A web by finite elements."""
+
+    __slots__ = ()
+    _FIELDS = ("factors", "journal_fillet", "pin_fillet",)
+
+    @property
+    def factors(self) -> FactorValues:
+        """Its factors."""
+        return self._of("factors", FactorValues)  # type: ignore[no-any-return]
+
+    @property
+    def journal_fillet(self) -> FilletSheet:
+        """The journal's fillet."""
+        return self._of("journal_fillet", FilletSheet)  # type: ignore[no-any-return]
+
+    @property
+    def pin_fillet(self) -> FilletSheet:
+        """The pin's fillet."""
+        return self._of("pin_fillet", FilletSheet)  # type: ignore[no-any-return]
 
 
 class EnergyLedger(Record):
@@ -5061,6 +5115,38 @@ class FactorPart(Record):
         return self._get("value")  # type: ignore[no-any-return]
 
 
+class FactorValues(Record):
+    """Values of the factors of the two fillets of a web [1]."""
+
+    __slots__ = ()
+    _FIELDS = ("alpha_b", "alpha_t", "beta_b", "beta_q", "beta_t",)
+
+    @property
+    def alpha_b(self) -> float:
+        """Pin fillet, bending."""
+        return self._get("alpha_b")  # type: ignore[no-any-return]
+
+    @property
+    def alpha_t(self) -> float:
+        """Pin fillet, torsion."""
+        return self._get("alpha_t")  # type: ignore[no-any-return]
+
+    @property
+    def beta_b(self) -> float:
+        """Journal fillet, bending."""
+        return self._get("beta_b")  # type: ignore[no-any-return]
+
+    @property
+    def beta_q(self) -> float:
+        """Journal fillet, radial force."""
+        return self._get("beta_q")  # type: ignore[no-any-return]
+
+    @property
+    def beta_t(self) -> float:
+        """Journal fillet, torsion."""
+        return self._get("beta_t")  # type: ignore[no-any-return]
+
+
 class FatigueAtSpeed(Record):
     """All fillets at one speed."""
 
@@ -5215,7 +5301,7 @@ class FilmOrbit(Record):
     """The orbit over one period, and what the film does on it."""
 
     __slots__ = ()
-    _FIELDS = ("change", "contact_share", "contact_time", "eccentricity", "feed_flow", "friction_power", "largest_pressure", "largest_pressure_at", "least_film", "least_film_angle", "least_film_at", "outcome", "periods", "side_flow", "steps", "table_error",)
+    _FIELDS = ("change", "contact_share", "contact_time", "eccentricity", "feed_flow", "friction_power", "largest_pressure", "largest_pressure_at", "least_edge_film", "least_film", "least_film_angle", "least_film_at", "outcome", "periods", "side_flow", "steps", "table_error",)
 
     @property
     def change(self) -> float:
@@ -5256,6 +5342,11 @@ class FilmOrbit(Record):
     def largest_pressure_at(self) -> float:
         """Instant of the largest pressure, over the period."""
         return self._get("largest_pressure_at")  # type: ignore[no-any-return]
+
+    @property
+    def least_edge_film(self) -> float | None:
+        """Least film at an end of the bearing [m], where the journal's axis is tilted; below 0 where that end would touch. `None`: parallel axes."""
+        return self._get("least_edge_film")  # type: ignore[no-any-return]
 
     @property
     def least_film(self) -> float:
@@ -7027,6 +7118,33 @@ class MeshQuality(Record):
     def worst_place(self) -> FloatArray:
         """Its middle [m]."""
         return self._array("worst_place")  # type: ignore[no-any-return]
+
+
+class MeshedThrow(Record):
+    """Torsional stiffness of a throw by finite elements, between the middles of its journals."""
+
+    __slots__ = ()
+    _FIELDS = ("free", "held", "is_held", "throw",)
+
+    @property
+    def free(self) -> float:
+        """With journals that may move aside [N m/rad]."""
+        return self._get("free")  # type: ignore[no-any-return]
+
+    @property
+    def held(self) -> float:
+        """With journals whose middles stay on the axis [N m/rad]."""
+        return self._get("held")  # type: ignore[no-any-return]
+
+    @property
+    def is_held(self) -> bool:
+        """Whether the chain has that of held journals."""
+        return self._get("is_held")  # type: ignore[no-any-return]
+
+    @property
+    def throw(self) -> int:
+        """Number of the throw, from 1."""
+        return self._get("throw")  # type: ignore[no-any-return]
 
 
 class Method(Record):
@@ -10779,6 +10897,48 @@ class ThrowMasses(Record):
         return self._get("throw")  # type: ignore[no-any-return]
 
 
+class ThrowMesh(Record):
+    """The mesh of a throw between the middles of its main journals."""
+
+    __slots__ = ()
+    _FIELDS = ("fillet_elements", "jump", "least_jacobian", "nodes", "residual", "size", "throw",)
+
+    @property
+    def fillet_elements(self) -> int:
+        """Elements across the 90 degrees of a fillet."""
+        return self._get("fillet_elements")  # type: ignore[no-any-return]
+
+    @property
+    def jump(self) -> float:
+        """Largest jump of the stress between elements over the stress, where fillets are loaded most: a sign of the error [1]."""
+        return self._get("jump")  # type: ignore[no-any-return]
+
+    @property
+    def least_jacobian(self) -> float:
+        """Least scaled Jacobian of an element [1]."""
+        return self._get("least_jacobian")  # type: ignore[no-any-return]
+
+    @property
+    def nodes(self) -> int:
+        """Its nodes."""
+        return self._get("nodes")  # type: ignore[no-any-return]
+
+    @property
+    def residual(self) -> float:
+        """Largest residual of the equations [1]."""
+        return self._get("residual")  # type: ignore[no-any-return]
+
+    @property
+    def size(self) -> float:
+        """Size of its elements away from fillets [m]."""
+        return self._get("size")  # type: ignore[no-any-return]
+
+    @property
+    def throw(self) -> int:
+        """Number of the throw, from 1."""
+        return self._get("throw")  # type: ignore[no-any-return]
+
+
 class ThrowParts(Record):
     """Inertia of a throw about the axis of its crankshaft."""
 
@@ -11325,7 +11485,7 @@ class TorsionResult(Result):
     """
 
     __slots__ = ()
-    _FIELDS = ("campbell", "crank", "damped", "engine", "gas", "holzer", "limits", "modes", "notes", "stars", "sweep", "time", "tuned", "version",)
+    _FIELDS = ("campbell", "crank", "damped", "engine", "gas", "holzer", "limits", "meshed", "modes", "notes", "stars", "sweep", "time", "tuned", "version",)
 
     @property
     def campbell(self) -> Campbell:
@@ -11361,6 +11521,11 @@ class TorsionResult(Result):
     def limits(self) -> Records[TorsionLimit]:
         """Limits of the file."""
         return self._all("limits", TorsionLimit)
+
+    @property
+    def meshed(self) -> Records[MeshedThrow]:
+        """Stiffness of throws by finite elements, where it was asked for."""
+        return self._all("meshed", MeshedThrow)
 
     @property
     def modes(self) -> Records[Mode2]:
@@ -11754,12 +11919,17 @@ class WebSheet(Record):
     """A web with its two fillets."""
 
     __slots__ = ()
-    _FIELDS = ("breaches", "factors", "journal", "journal_fillet", "nominal", "pin_fillet", "ratios", "section", "web",)
+    _FIELDS = ("breaches", "by_elements", "factors", "journal", "journal_fillet", "nominal", "pin_fillet", "ratios", "section", "web",)
 
     @property
     def breaches(self) -> Records[RangeBreach]:
         """Ratios outside the range of the formulas; where there is one, there are no factors and no safety."""
         return self._all("breaches", RangeBreach)
+
+    @property
+    def by_elements(self) -> ElementWeb | None:
+        """Both by finite elements, where they were asked for."""
+        return self._of("by_elements", ElementWeb)  # type: ignore[no-any-return]
 
     @property
     def factors(self) -> RuleFactors | None:
