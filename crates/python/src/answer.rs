@@ -8,14 +8,15 @@ use crate::select::{Leaf, NoValue, Select, Step, steps};
 use crate::to_python::{Converted, ToPython};
 use lanchester::model::Engine;
 use lanchester::report::{Cell, Figure, Part, Section, Table};
+use pyo3::IntoPyObjectExt;
 use pyo3::exceptions::PyAttributeError;
 use pyo3::prelude::*;
 use pyo3::types::PyList;
 use serde::Serialize;
 use std::sync::Arc;
 
-/// The engine with what a result has found; the number is that of the choice, where there is one.
-pub type Adopted<T> = fn(&T, &Prepared, Option<usize>) -> Result<Arc<Prepared>, Failure>;
+/// The engine with what a result has found, by the number of the choice, from 0.
+pub type Adopted<T> = fn(&T, &Prepared, usize) -> Result<Arc<Prepared>, Failure>;
 
 /// How a result is shown: the same words, tables and pictures as in every front end.
 pub struct Shown<T> {
@@ -27,8 +28,10 @@ pub struct Shown<T> {
     pub figures: fn(&T, &Engine) -> Vec<Figure>,
     /// A drawing as SVG with its name and title, where it is no figure of the report.
     pub drawing: fn(&T) -> Option<[String; 3]>,
-    /// The engine with what was found; a number chooses where there is a choice.
+    /// The engine with what was found.
     pub adopted: Option<Adopted<T>>,
+    /// How many engines can be adopted; which of them have one, [`adopted`](Shown::adopted) says.
+    pub choices: fn(&T) -> usize,
 }
 
 /// The tables of a chapter of the report.
@@ -57,6 +60,7 @@ impl<T> Default for Shown<T> {
             figures: |_, _| Vec::new(),
             drawing: |_| None,
             adopted: None,
+            choices: |_| 1,
         }
     }
 }
@@ -69,7 +73,8 @@ trait Told: Send + Sync {
     fn text(&self) -> String;
     fn tables(&self) -> Vec<Table>;
     fn figures(&self) -> Vec<[String; 3]>;
-    fn adopted(&self, number: Option<usize>) -> Result<Option<Arc<Prepared>>, Failure>;
+    fn choices(&self) -> Option<usize>;
+    fn adopted(&self, number: usize) -> Result<Option<Arc<Prepared>>, Failure>;
 }
 
 struct Typed<T> {
@@ -87,6 +92,12 @@ impl Leaf for AsPython<'_> {
     fn leaf<T: Serialize + ?Sized>(self, value: &T) -> Result<Converted, String> {
         value.serialize(ToPython { py: self.0 }).map_err(|error| error.to_string())
     }
+
+    fn content<T: Serialize + ?Sized>(self, value: &T, variant: &str) -> Result<Converted, String> {
+        let whole = self.leaf(value)?.object(self.0);
+        let content = whole.and_then(|whole| whole.bind(self.0).get_item(variant).map(Bound::unbind));
+        content.map(Converted::Object).map_err(|error| error.to_string())
+    }
 }
 
 #[derive(Clone, Copy)]
@@ -96,19 +107,27 @@ impl Leaf for AsNumber {
     type Ok = f64;
 
     fn leaf<T: Serialize + ?Sized>(self, value: &T) -> Result<f64, String> {
-        match serde_json::to_value(value).map_err(|error| error.to_string())? {
-            serde_json::Value::Number(number) => number.as_f64().ok_or_else(|| "no number".into()),
-            serde_json::Value::Bool(flag) => Ok(f64::from(u8::from(flag))),
-            // What is not known, and numbers that are none.
-            serde_json::Value::Null => Ok(f64::NAN),
-            serde_json::Value::String(_) => Err("it is a text, no number".into()),
-            serde_json::Value::Array(list) => {
-                Err(format!("it is a list of {}: an index such as [0] leads to a number", list.len()))
-            }
-            serde_json::Value::Object(keys) => {
-                let names: Vec<&str> = keys.keys().map(String::as_str).collect();
-                Err(format!("it is no number; below it there are {}", names.join(", ")))
-            }
+        number_of(&serde_json::to_value(value).map_err(|error| error.to_string())?)
+    }
+
+    fn content<T: Serialize + ?Sized>(self, value: &T, variant: &str) -> Result<f64, String> {
+        number_of(&serde_json::to_value(value).map_err(|error| error.to_string())?[variant])
+    }
+}
+
+fn number_of(value: &serde_json::Value) -> Result<f64, String> {
+    match value {
+        serde_json::Value::Number(number) => number.as_f64().ok_or_else(|| "no number".into()),
+        serde_json::Value::Bool(flag) => Ok(f64::from(u8::from(*flag))),
+        // What is not known, and numbers that are none.
+        serde_json::Value::Null => Ok(f64::NAN),
+        serde_json::Value::String(_) => Err("it is a text, no number".into()),
+        serde_json::Value::Array(list) => {
+            Err(format!("it is a list of {}: an index such as [0] leads to a number", list.len()))
+        }
+        serde_json::Value::Object(keys) => {
+            let names: Vec<&str> = keys.keys().map(String::as_str).collect();
+            Err(format!("it is no number; below it there are {}", names.join(", ")))
         }
     }
 }
@@ -144,7 +163,11 @@ impl<T: Serialize + Send + Sync> Told for Typed<T> {
         drawing.into_iter().chain(figures.into_iter().map(figure)).collect()
     }
 
-    fn adopted(&self, number: Option<usize>) -> Result<Option<Arc<Prepared>>, Failure> {
+    fn choices(&self) -> Option<usize> {
+        self.shown.adopted.map(|_| (self.shown.choices)(&self.value))
+    }
+
+    fn adopted(&self, number: usize) -> Result<Option<Arc<Prepared>>, Failure> {
         self.shown.adopted.map(|adopted| adopted(&self.value, &self.engine, number)).transpose()
     }
 }
@@ -193,11 +216,7 @@ impl Answer {
 
     /// What is at a path such as `total.orders[1].force_forward`.
     fn pick(&self, py: Python<'_>, path: &str) -> PyResult<Py<PyAny>> {
-        let steps = steps(path).ok_or_else(|| {
-            let message = format!("`{path}` is no path");
-            Failure::option(message, "paths are written like `total.orders[1].order`")
-        })?;
-        self.at(py, &steps)
+        self.at(py, &read_steps(path)?)
     }
 
     /// All of it as dictionaries and arrays.
@@ -236,9 +255,13 @@ impl Answer {
         Ok(figures.into_iter().map(|[name, title, svg]| (name, title, svg)).collect())
     }
 
+    /// How many engines can be adopted, or `None` where this result finds nothing.
+    fn choices(&self) -> Option<usize> {
+        self.data.0.choices()
+    }
+
     /// The engine with what was found, or `None` where this result finds nothing.
-    #[pyo3(signature = (number=None))]
-    fn adopted(&self, py: Python<'_>, number: Option<usize>) -> PyResult<Option<NativeEngine>> {
+    fn adopted(&self, py: Python<'_>, number: usize) -> PyResult<Option<NativeEngine>> {
         let found = py.detach(|| caught(|| self.data.0.adopted(number)))?;
         Ok(found.map(NativeEngine::from))
     }
@@ -249,6 +272,23 @@ impl Answer {
         let found = self.data.0.convert(py, path);
         found.map_err(|error| PyAttributeError::new_err(error.to_string()))?.object(py)
     }
+}
+
+fn read_steps(path: &str) -> Result<Vec<Step>, Failure> {
+    steps(path).ok_or_else(|| {
+        let message = format!("`{path}` is no path");
+        Failure::option(message, "paths are written like `total.orders[1].order`")
+    })
+}
+
+/// The steps of a path: names as texts, places in lists as numbers.
+#[pyfunction]
+pub fn path_steps(py: Python<'_>, path: &str) -> PyResult<Vec<Py<PyAny>>> {
+    let step = |step: Step| match step {
+        Step::Key(key) => key.into_py_any(py),
+        Step::Index(index) => index.into_py_any(py),
+    };
+    read_steps(path)?.into_iter().map(step).collect()
 }
 
 /// A column: an array where it is all numbers, NaN where there is none, else a list.

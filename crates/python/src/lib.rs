@@ -11,6 +11,7 @@ mod answer;
 mod asking;
 mod blocks;
 mod cases;
+mod decimals;
 mod failure;
 mod from_python;
 mod guard;
@@ -33,6 +34,8 @@ mod _native {
     #[pymodule_export]
     use super::answer::Answer;
     #[pymodule_export]
+    use super::answer::path_steps;
+    #[pymodule_export]
     use super::asking::ask_all;
     #[pymodule_export]
     use super::asking::kernel_time;
@@ -40,6 +43,8 @@ mod _native {
     use super::asking::panics;
     #[pymodule_export]
     use super::asking::schemas;
+    #[pymodule_export]
+    use super::decimals::decimal_points;
     #[pymodule_export]
     use super::map::map;
     #[pymodule_export]

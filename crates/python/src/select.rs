@@ -1,6 +1,6 @@
 //! One value out of a serialisable result, found by its path; nothing else is converted.
 
-use serde::ser::{self, Impossible, Serialize};
+use serde::ser::{self, Serialize};
 use std::fmt;
 
 /// One step of a path.
@@ -43,6 +43,12 @@ pub trait Leaf: Copy {
     /// # Errors
     /// Where that is not possible, in words.
     fn leaf<T: Serialize + ?Sized>(self, value: &T) -> Result<Self::Ok, String>;
+
+    /// Makes it of what is in a variant, as JSON has it: `{variant: content}`.
+    ///
+    /// # Errors
+    /// Where that is not possible, in words.
+    fn content<T: Serialize + ?Sized>(self, value: &T, variant: &str) -> Result<Self::Ok, String>;
 }
 
 /// Walks down `path` and makes the leaf.
@@ -53,13 +59,21 @@ pub struct Select<'p, L> {
     pub leaf: L,
 }
 
-/// Why there is no value: words.
+/// Why there is no value.
 #[derive(Debug)]
-pub struct NoValue(pub String);
+pub enum NoValue {
+    /// In words.
+    Words(String),
+    /// All that is in this variant is asked for: whoever has the value makes it.
+    Content(&'static str),
+}
 
 impl fmt::Display for NoValue {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.0)
+        match self {
+            NoValue::Words(words) => f.write_str(words),
+            NoValue::Content(variant) => write!(f, "no path leads into `{variant}`"),
+        }
     }
 }
 
@@ -67,7 +81,7 @@ impl std::error::Error for NoValue {}
 
 impl ser::Error for NoValue {
     fn custom<T: fmt::Display>(message: T) -> NoValue {
-        NoValue(message.to_string())
+        NoValue::Words(message.to_string())
     }
 }
 
@@ -77,17 +91,30 @@ impl<'p, L: Leaf> Select<'p, L> {
     /// # Errors
     /// [`NoValue`] where the path leads nowhere.
     pub fn of<T: Serialize + ?Sized>(self, value: &T) -> Result<L::Ok, NoValue> {
+        let leaf = self.leaf;
         match self.path {
-            [] => self.leaf.leaf(value).map_err(NoValue),
-            _ => value.serialize(self),
+            [] => leaf.leaf(value).map_err(NoValue::Words),
+            _ => value.serialize(self).or_else(|error| match error {
+                NoValue::Content(variant) => leaf.content(value, variant).map_err(NoValue::Words),
+                words @ NoValue::Words(_) => Err(words),
+            }),
         }
     }
 
     fn nothing(self) -> Result<L::Ok, NoValue> {
-        Err(NoValue(match &self.path[0] {
+        Err(NoValue::Words(match &self.path[0] {
             Step::Key(key) => format!("no `{key}` below a plain value"),
             Step::Index(index) => format!("no [{index}] below a plain value"),
         }))
+    }
+
+    /// The content of a variant, as JSON has it below its name.
+    fn content(self, variant: &'static str) -> Result<Walk<'p, L>, NoValue> {
+        match self.path {
+            [Step::Key(key)] if key == variant => Err(NoValue::Content(variant)),
+            [Step::Key(key), rest @ ..] if key == variant => Ok(Select { path: rest, ..self }.walk()),
+            _ => Err(nowhere(&self.path[0], 0, &[variant.to_owned()])),
+        }
     }
 
     fn walk(self) -> Walk<'p, L> {
@@ -107,14 +134,14 @@ impl<'p, L: Leaf> ser::Serializer for Select<'p, L> {
     type SerializeSeq = Walk<'p, L>;
     type SerializeTuple = Walk<'p, L>;
     type SerializeTupleStruct = Walk<'p, L>;
-    type SerializeTupleVariant = Impossible<L::Ok, NoValue>;
+    type SerializeTupleVariant = Walk<'p, L>;
     type SerializeMap = Walk<'p, L>;
     type SerializeStruct = Walk<'p, L>;
-    type SerializeStructVariant = Impossible<L::Ok, NoValue>;
+    type SerializeStructVariant = Walk<'p, L>;
 
     plain!(
-        serialize_bool: bool, serialize_i8: i8, serialize_i16: i16, serialize_i32: i32, serialize_i64: i64, serialize_u8: u8,
-        serialize_u16: u16, serialize_u32: u32, serialize_u64: u64, serialize_f32: f32, serialize_f64: f64, serialize_char: char,
+        serialize_bool: bool, serialize_i8: i8, serialize_i16: i16, serialize_i32: i32, serialize_i64: i64, serialize_i128: i128, serialize_u8: u8,
+        serialize_u16: u16, serialize_u32: u32, serialize_u64: u64, serialize_u128: u128, serialize_f32: f32, serialize_f64: f64, serialize_char: char,
         serialize_str: &str, serialize_bytes: &[u8], serialize_unit_struct: &'static str
     );
 
@@ -151,7 +178,7 @@ impl<'p, L: Leaf> ser::Serializer for Select<'p, L> {
     ) -> Result<L::Ok, NoValue> {
         match self.path {
             [Step::Key(key), rest @ ..] if key == variant => Select { path: rest, leaf: self.leaf }.of(value),
-            _ => self.nothing(),
+            _ => Err(nowhere(&self.path[0], 0, &[variant.to_owned()])),
         }
     }
 
@@ -173,8 +200,8 @@ impl<'p, L: Leaf> ser::Serializer for Select<'p, L> {
         _: u32,
         variant: &'static str,
         _: usize,
-    ) -> Result<Impossible<L::Ok, NoValue>, NoValue> {
-        Err(NoValue(format!("no path leads into `{variant}`")))
+    ) -> Result<Walk<'p, L>, NoValue> {
+        self.content(variant)
     }
 
     fn serialize_map(self, _: Option<usize>) -> Result<Walk<'p, L>, NoValue> {
@@ -191,8 +218,8 @@ impl<'p, L: Leaf> ser::Serializer for Select<'p, L> {
         _: u32,
         variant: &'static str,
         _: usize,
-    ) -> Result<Impossible<L::Ok, NoValue>, NoValue> {
-        Err(NoValue(format!("no path leads into `{variant}`")))
+    ) -> Result<Walk<'p, L>, NoValue> {
+        self.content(variant)
     }
 }
 
@@ -234,17 +261,20 @@ impl<L: Leaf> Walk<'_, L> {
 
     fn finish(self) -> Result<L::Ok, NoValue> {
         let Walk { select, found, index, names, .. } = self;
-        found.ok_or_else(|| {
-            NoValue(match &select.path[0] {
-                Step::Key(key) if names.is_empty() => {
-                    format!("`{key}` needs an index such as [0] before it: it is a list of {index}")
-                }
-                Step::Key(key) => format!("there is no `{key}`; there are {}", names.join(", ")),
-                Step::Index(at) if names.is_empty() => format!("there is no [{at}] in a list of {index}"),
-                Step::Index(at) => format!("[{at}] needs a list; there are {}", names.join(", ")),
-            })
-        })
+        found.ok_or_else(|| nowhere(&select.path[0], index, &names))
     }
+}
+
+/// Why a step leads nowhere from a list of so many, or from a structure with these names.
+fn nowhere(step: &Step, length: usize, names: &[String]) -> NoValue {
+    NoValue::Words(match step {
+        Step::Key(key) if names.is_empty() => {
+            format!("`{key}` needs an index such as [0] before it: it is a list of {length}")
+        }
+        Step::Key(key) => format!("there is no `{key}`; there are {}", names.join(", ")),
+        Step::Index(at) if names.is_empty() => format!("there is no [{at}] in a list of {length}"),
+        Step::Index(at) => format!("[{at}] needs a list; there are {}", names.join(", ")),
+    })
 }
 
 impl<L: Leaf> ser::SerializeSeq for Walk<'_, L> {
@@ -286,13 +316,26 @@ impl<L: Leaf> ser::SerializeTupleStruct for Walk<'_, L> {
     }
 }
 
+impl<L: Leaf> ser::SerializeTupleVariant for Walk<'_, L> {
+    type Ok = L::Ok;
+    type Error = NoValue;
+
+    fn serialize_field<T: Serialize + ?Sized>(&mut self, value: &T) -> Result<(), NoValue> {
+        self.entry(value)
+    }
+
+    fn end(self) -> Result<L::Ok, NoValue> {
+        self.finish()
+    }
+}
+
 impl<L: Leaf> ser::SerializeMap for Walk<'_, L> {
     type Ok = L::Ok;
     type Error = NoValue;
 
     fn serialize_key<T: Serialize + ?Sized>(&mut self, key: &T) -> Result<(), NoValue> {
         // Keys of maps are texts, or numbers that JSON writes as texts.
-        let key = serde_json::to_value(key).map_err(|error| NoValue(error.to_string()))?;
+        let key = serde_json::to_value(key).map_err(|error| NoValue::Words(error.to_string()))?;
         self.key = Some(key.as_str().map_or_else(|| key.to_string(), str::to_owned));
         Ok(())
     }
@@ -308,6 +351,23 @@ impl<L: Leaf> ser::SerializeMap for Walk<'_, L> {
 }
 
 impl<L: Leaf> ser::SerializeStruct for Walk<'_, L> {
+    type Ok = L::Ok;
+    type Error = NoValue;
+
+    fn serialize_field<T: Serialize + ?Sized>(
+        &mut self,
+        name: &'static str,
+        value: &T,
+    ) -> Result<(), NoValue> {
+        self.field(name, value)
+    }
+
+    fn end(self) -> Result<L::Ok, NoValue> {
+        self.finish()
+    }
+}
+
+impl<L: Leaf> ser::SerializeStructVariant for Walk<'_, L> {
     type Ok = L::Ok;
     type Error = NoValue;
 

@@ -8,6 +8,7 @@ import pytest
 
 import lanchester
 from lanchester import Engine, RequestError
+from lanchester.cases import columns
 
 FOUR = Engine.template("in-line-4")
 
@@ -93,3 +94,48 @@ def test_gaps_of_a_dataframe_leave_keys_as_they_are() -> None:
     cases = FOUR.cases(frame)
     assert cases[0].text == FOUR.with_({"layout.cylinders": 4, "name": "1"}).text
     assert cases[1].text == FOUR.with_({"rod.length": "150 mm", "name": "2"}).text
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "rod.length [mm],name; free\n140,long\n",
+        "rod.length [mm],name;free;or not,crank.stroke [mm]\n140,long,80\n",
+        '"rod.length\n;;; [mm]",name\n140,long\n',
+    ],
+    ids=["as many", "fewer", "in quotes"],
+)
+def test_a_semicolon_in_a_head_parts_no_cells(text: str, tmp_path: Path) -> None:
+    path = tmp_path / "cases.csv"
+    path.write_text(text, encoding="utf-8")
+    with pytest.raises(RequestError) as caught:
+        FOUR.cases(path)
+    # One head is no key; nothing else is wrong with the table.
+    assert "is no key of an engine file" in caught.value.message and "`rod.length [mm],name" not in caught.value.message
+    assert len(caught.value.message.replace("\n;;;", "").splitlines()) == 2
+
+
+def test_decimal_commas_are_those_of_numbers_and_not_of_lists(tmp_path: Path) -> None:
+    path = tmp_path / "cases.csv"
+    path.write_text("rod.length;piston.mass;crank.stroke [mm];cylinder[0].angles;layout.cylinders;name\n0,14;0,30 kg;80,5;1,2;4;1,2 l\n", encoding="utf-8")
+    found = columns(path)
+    assert found == {
+        "rod.length": [0.14],
+        "piston.mass": ["0.30 kg"],
+        "crank.stroke": ["80.5 mm"],
+        "cylinder[0].angles": ["1,2"],
+        "layout.cylinders": [4],
+        "name": ["1,2 l"],
+    }
+    path.write_text("firing.angles;gas.cycle.heat.angles;speed\n1,2;-180,5 deg;800,5 rpm\n", encoding="utf-8")
+    assert columns(path) == {"firing.angles": ["1,2"], "gas.cycle.heat.angles": ["-180.5 deg"], "speed": ["800.5 rpm"]}
+
+
+def test_thousands_separators_are_named(tmp_path: Path) -> None:
+    path = tmp_path / "cases.csv"
+    path.write_text("rod.length [mm];piston.mass\n1.234,5;0,3\n140;1 234 g\n", encoding="utf-8")
+    with pytest.raises(RequestError) as caught:
+        FOUR.cases(path)
+    lines = caught.value.message.splitlines()
+    assert "row 2, column A (rod.length [mm]): needs a value, got `1.234,5`: thousands separators are not read, write 1234,5" in lines[1]
+    assert "row 3, column B (piston.mass): needs a value, got `1 234 g`: thousands separators are not read, write 1234 g" in lines[2]

@@ -8,6 +8,7 @@ import json
 import os
 import pickle
 import subprocess
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -238,11 +239,85 @@ def test_results_travel_between_processes(all_results: dict[str, Result]) -> Non
         pickle.loads(pickle.dumps(all_results["explore"])).adopt(10_000)
 
 
+def paths(value: Any, path: str = "") -> Iterator[str]:
+    """Every path into a result, of long lists those of both ends."""
+    if path:
+        yield path
+    if isinstance(value, dict):
+        for key, below in value.items():
+            yield from paths(below, f"{path}.{key}" if path else str(key))
+    elif isinstance(value, list):
+        for place in sorted({0, 1, len(value) - 1} & set(range(len(value)))):
+            yield from paths(value[place], f"{path}[{place}]")
+
+
+def said(result: Result, path: str) -> tuple[str, Any]:
+    """What a path leads to with its type, or why it leads nowhere."""
+    try:
+        found = result.pick(path)
+    except RequestError as error:
+        return "refused", (error.message, error.hint)
+    return type(found).__name__, plain(found)
+
+
+def test_paths_lead_to_the_same_out_of_a_pickle(all_results: dict[str, Result]) -> None:
+    looked_at = set()
+    for name, result in all_results.items():
+        again = pickle.loads(pickle.dumps(result))
+        # Some hundreds of each.
+        found = list(paths(json.loads(result.to_json())))
+        found = found[:: len(found) // 200 + 1]
+        wrong = [f"{path}{more}" for path in found[::7] for more in (".nothing", "[99]", "[0]", "[0].nothing")]
+        for path in [*found, *wrong, "", ".", "nothing", "[0]", "total..orders", "a[-1]", "a[+1]", "a[x]", "a[1", "a]b", "a[1]b", "a[\u0661]"]:
+            kind, value = said(result, path)
+            np.testing.assert_equal(said(again, path), (kind, value), err_msg=f"{name}: {path}")
+            looked_at.add(kind)
+    assert looked_at >= {"refused", "float", "int", "str", "bool", "ndarray", "dict", "list", "NoneType"}, looked_at
+    loads = pickle.loads(pickle.dumps(all_results["loads"]))
+    assert type(loads.pick("total.trace.force_x[3]")) is float
+    with pytest.raises(RequestError, match=r"there is no \[99\] in a list of 4"):
+        loads.pick("cylinders[99]")
+    with pytest.raises(RequestError, match="`` is no path"):
+        loads.pick("")
+
+
+def test_choices_that_are_not_there_are_refused_by_their_number(all_results: dict[str, Result], monkeypatch: pytest.MonkeyPatch) -> None:
+    search = Engine.template("in-line-3").explore(minimise=["force order 1", "couple order 1"], throw_angles="every 60 deg")
+    many = len(search.front)
+    assert many > 1
+    monkeypatch.setattr("lanchester._kept.MOST_CHOICES", 1)
+    short = pickle.loads(pickle.dumps(search))
+    monkeypatch.undo()
+    whole = pickle.loads(pickle.dumps(search))
+    for result in (search, whole, short, pickle.loads(pickle.dumps(short))):
+        for number in (-1, many, 99_999, 10**30):
+            with pytest.raises(RequestError, match=f"there is no layout {number} on a front of {many}") as caught:
+                result.adopt(number)
+            assert caught.value.hint
+        with pytest.raises(TypeError):
+            result.adopt("first")  # type: ignore[arg-type]
+        assert result.adopt().text == result.adopt(np.int64(0)).text == search.adopt(0).text  # type: ignore[arg-type]
+    with pytest.raises(RequestError, match=f"choice 1 is not kept: a pickle has the first 1 of {many}"):
+        short.adopt(1)
+    # A balance is one.
+    balance = all_results["balance"]
+    for result in (balance, pickle.loads(pickle.dumps(balance))):
+        for number in (-1, 1, 99_999):
+            with pytest.raises(RequestError, match=f"there is no choice {number}: Balance finds one engine"):
+                result.adopt(number)
+        assert result.adopt(0) == balance.adopt()
+    for result in (all_results["loads"], pickle.loads(pickle.dumps(all_results["loads"]))):
+        with pytest.raises(RequestError, match="finds nothing"):
+            result.adopt(-1)
+
+
 def test_infeasible_limits_are_an_outcome() -> None:
     found = Engine.template("twin-360").balance(minimise="couple", limit="force = 0.001 N", counterweights="throws")
     assert found.outcome.kind == "infeasible" and found.outcome.reason
     with pytest.raises(RequestError, match="no weights"):
         found.adopt()
+    with pytest.raises(RequestError, match="no weights"):
+        pickle.loads(pickle.dumps(found)).adopt()
 
 
 def test_what_is_found_can_be_adopted() -> None:

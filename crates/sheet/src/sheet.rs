@@ -48,8 +48,8 @@ pub enum SheetError {
     Write(#[from] XlsxError),
 }
 
-/// What parts the cells of a CSV text: the semicolon of spreadsheets whose decimal sign is a comma, a tab, or a comma; its first row says
-/// which, outside of quotes.
+/// What parts the cells of a CSV text: the semicolon of spreadsheets whose decimal sign is a comma, a tab, or a comma. It is the one that
+/// its first row has most of, outside of quotes; ties go to the comma.
 pub fn separator(text: &str) -> char {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text).trim_start();
     let mut quoted = false;
@@ -57,8 +57,9 @@ pub fn separator(text: &str) -> char {
         quoted ^= *c == '"';
         !quoted
     });
-    let head: String = plain.by_ref().take_while(|c| *c != '\n').collect();
-    [';', '\t'].into_iter().find(|own| head.contains(*own)).unwrap_or(',')
+    let head: String = plain.by_ref().take_while(|c| !matches!(c, '\n' | '\r')).collect();
+    // The last of the largest.
+    ['\t', ';', ','].into_iter().max_by_key(|own| head.matches(*own).count()).unwrap_or(',')
 }
 
 /// The rows of a CSV text (RFC 4180, with any [`separator`]); empty ones are left out.

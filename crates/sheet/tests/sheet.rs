@@ -35,8 +35,14 @@ fn the_first_row_says_what_parts_the_cells() {
         assert_eq!(rows[0].cells, [text("a"), text("b; c")], "{written}");
         assert_eq!(rows[1].cells, [text("1,5"), text("x")], "{written}");
     }
-    // Quotes and later rows say nothing.
-    assert_eq!(separator("a,\"b;c\"\n1;2,3\n"), ',');
+    // Quotes and later rows say nothing, nor does a single semicolon or comma in a head.
+    assert_eq!(separator("a,\"b;c;d\"\n1;2,3;4\n"), ',');
+    assert_eq!(separator("rod.length [mm],comment; free\n140,x\n"), ',');
+    assert_eq!(separator("rod.length [mm],comment; free; or not,name\r1;2;3\n"), ',');
+    assert_eq!(separator("rod.length [mm];comment, free;name\n1,5;x;y\n"), ';');
+    assert_eq!(separator("a; b\tc, d\te\n"), '\t');
+    let rows = read_csv("rod.length [mm],comment; free\n140,\"long, thin\"\n").unwrap();
+    assert_eq!(rows[1].cells, [text("140"), text("long, thin")]);
     assert_eq!(separator(""), ',');
 }
 

@@ -1,6 +1,6 @@
 //! A table of cases: a row an engine, a column a key of the engine file; and the loads of all of them.
 
-use lanchester_file::{Edit, Severity, edit, read, si_value};
+use lanchester_file::{Edit, Severity, edit, key_tables, read, si_value};
 use lanchester_mechanism::{LoadRequest, Loads, loads};
 use lanchester_report::{Cell, Column, Table};
 use rayon::prelude::*;
@@ -100,19 +100,35 @@ impl CaseTable {
         if faults.is_empty() { Ok(CaseTable { heads, rows }) } else { Err(faults) }
     }
 
-    /// The same with a point in numbers that have a decimal comma, `140,5` or `0,30 kg`; names keep theirs.
+    /// The same with a point in numbers that have a decimal comma, `140,5` or `0,30 kg`.
     #[must_use]
     pub fn with_decimal_commas(mut self) -> CaseTable {
-        for row in &mut self.rows {
-            for (cell, _) in row.cells.iter_mut().zip(&self.heads).filter(|(_, head)| head.key != NAME) {
-                if let CaseCell::Text(text) = cell
-                    && let Some(pointed) = with_point(text)
-                {
-                    *text = pointed;
+        for (place, head) in self.heads.iter().enumerate() {
+            let cells = self.rows.iter_mut().filter_map(|row| row.cells.get_mut(place));
+            CaseTable::put_points(&head.key, head.unit.is_some(), cells);
+        }
+        self
+    }
+
+    /// Puts a point into the numbers of a column that have a decimal comma: those of a key that holds one number, and those with a unit in
+    /// the head or the cell. Texts and lists such as `1,2` keep their commas; a number with separators between its thousands cannot be used.
+    pub fn put_points<'c>(key: &str, has_unit: bool, cells: impl Iterator<Item = &'c mut CaseCell>) {
+        let holds = holds(key);
+        if holds == Holds::Words {
+            return;
+        }
+        for cell in cells {
+            if let CaseCell::Text(text) = cell {
+                match with_point(text, holds == Holds::Number, has_unit) {
+                    Ok(None) => {}
+                    Ok(Some(pointed)) => *text = pointed,
+                    Err(plain) => {
+                        let words = format!("`{text}`: thousands separators are not read, write {plain}");
+                        *cell = CaseCell::Unusable(words);
+                    }
                 }
             }
         }
-        self
     }
 
     /// Number of cases.
@@ -126,15 +142,83 @@ impl CaseTable {
     }
 }
 
-/// A number with a decimal comma at the beginning, with a point in its place; `None` of any other text.
-fn with_point(text: &str) -> Option<String> {
-    let (whole, rest) = text.split_once(',')?;
-    let is_number = |digits: &str| !digits.is_empty() && digits.chars().all(|c| c.is_ascii_digit());
-    let behind = rest.trim_start_matches(|c: char| c.is_ascii_digit());
-    let fraction = &rest[..rest.len() - behind.len()];
-    let ends = !behind.starts_with([',', '.']);
-    (is_number(whole.trim_start_matches(['+', '-'])) && is_number(fraction) && ends)
-        .then(|| format!("{whole}.{rest}"))
+/// What a key holds, as far as commas go.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Holds {
+    /// One number, with or without a unit.
+    Number,
+    /// A text or a word.
+    Words,
+    /// A list, a table, or nothing that is known.
+    Other,
+}
+
+fn holds(key: &str) -> Holds {
+    // `cylinder[1].piston.mass` is `mass` of `cylinder[].piston`.
+    let mut place = String::new();
+    for part in key.split_inclusive('[') {
+        place.push_str(part.trim_start_matches(|c: char| c.is_ascii_digit()));
+    }
+    let (table, name) = place.rsplit_once('.').unwrap_or(("", &place));
+    let (name, is_entry) = name.strip_suffix("[]").map_or((name, false), |name| (name, true));
+    let tables = key_tables();
+    let table = tables.iter().find(|own| own.path == table);
+    let found = table.and_then(|table| table.keys.iter().find(|own| own.name == name));
+    match found.map(|own| own.kind) {
+        Some("whole" | "number" | "quantity" | "share" | "ratio") => Holds::Number,
+        Some("quantities" | "list") if is_entry => Holds::Number,
+        Some("text" | "choice" | "flag") => Holds::Words,
+        _ => Holds::Other,
+    }
+}
+
+/// What stands between digits: marks of decimals, and what else parts thousands.
+const SEPARATORS: [char; 7] = ['.', ',', ' ', '\'', '_', '\u{a0}', '\u{202f}'];
+
+/// A number with a decimal comma at the beginning, with a point in its place; `None` of any other text. Without a unit it may be a list, but where
+/// one number is due.
+///
+/// # Errors
+/// A number with separators between its thousands, without them.
+fn with_point(text: &str, is_number: bool, has_unit: bool) -> Result<Option<String>, String> {
+    let unsigned = text.trim_start_matches(['+', '-']);
+    let sign = &text[..text.len() - unsigned.len()];
+    let behind = unsigned.trim_start_matches(|c: char| c.is_ascii_digit() || SEPARATORS.contains(&c));
+    let number = unsigned[..unsigned.len() - behind.len()].trim_end_matches(|c: char| !c.is_ascii_digit());
+    let behind = &unsigned[number.len()..];
+    // `1.5e-3` has no unit.
+    let power = behind.strip_prefix(['e', 'E']).map(|power| power.trim_start_matches(['+', '-']));
+    let power = power.filter(|power| power.starts_with(|c: char| c.is_ascii_digit()));
+    let unit =
+        power.map_or(behind, |power| power.trim_start_matches(|c: char| c.is_ascii_digit())).trim_start();
+    let own_unit = !unit.is_empty() && !unit.starts_with('/') && !unit.contains(',');
+    if unit.starts_with(['.', ',']) || !(is_number || has_unit || own_unit) {
+        return Ok(None);
+    }
+    let groups: Vec<&str> = number.split(SEPARATORS).collect();
+    let marks: Vec<char> = number.chars().filter(|c| !c.is_ascii_digit()).collect();
+    if groups.iter().any(|digits| digits.is_empty()) {
+        return Ok(None);
+    }
+    match marks[..] {
+        [] | ['.'] => Ok(None),
+        [','] => Ok(Some(format!("{sign}{}.{}{behind}", groups[0], groups[1]))),
+        [first, ..] => {
+            let last = marks[marks.len() - 1];
+            // The last mark is that of the decimals where it is another one.
+            let has_decimals = last != first && matches!(last, '.' | ',');
+            let (whole, decimals) =
+                groups.split_at(if has_decimals { groups.len() - 1 } else { groups.len() });
+            let parts_thousands = groups[0].len() <= 3
+                && whole[1..].iter().all(|digits| digits.len() == 3)
+                && marks[..whole.len() - 1].iter().all(|mark| *mark == first);
+            if !parts_thousands || !is_number && marks.iter().all(|mark| *mark == ',') {
+                return Ok(None);
+            }
+            let decimals: String = decimals.iter().map(|digits| format!(",{digits}")).collect();
+            Err(format!("{sign}{}{decimals}{behind}", whole.concat()))
+        }
+    }
 }
 
 fn head(text: &str) -> Option<Head> {
@@ -324,6 +408,7 @@ pub fn case_loads(text: &str, table: &CaseTable, request: &LoadRequest) -> Resul
 
 #[cfg(test)]
 mod tests {
+    #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
     use super::*;
 
     #[test]
@@ -334,11 +419,70 @@ mod tests {
         assert_eq!(parts("throw[0]"), Some(("throw[0]".into(), None)));
         assert_eq!(parts("[mm]"), None);
         assert_eq!(parts("two words"), None);
-        assert_eq!(with_point("-140,5").as_deref(), Some("-140.5"));
-        assert_eq!(with_point("0,30 kg").as_deref(), Some("0.30 kg"));
-        for other in ["140.5", "1.234,5", "1,234,5", "1,2.3", "a,5", ",5", "5,", "80 mm, 90 mm"] {
-            assert_eq!(with_point(other), None, "{other}");
-        }
         assert_eq!((column_name(0, None), column_name(27, None)), ("A".to_owned(), "AB".to_owned()));
+    }
+
+    #[test]
+    fn decimal_commas_are_those_of_numbers() {
+        let point = |text: &str| with_point(text, true, false);
+        for (text, wanted) in
+            [("-140,5", "-140.5"), ("0,30 kg", "0.30 kg"), ("1,5e-3", "1.5e-3"), ("140,500", "140.500")]
+        {
+            assert_eq!(point(text), Ok(Some(wanted.to_owned())), "{text}");
+        }
+        for other in
+            ["140.5", "1,234,5", "1,2.3", "a,5", ",5", "5,", "80 mm, 90 mm", "1, 2", "4 1/2 in", "140", ""]
+        {
+            assert_eq!(point(other), Ok(None), "{other}");
+        }
+        for (text, plain) in [
+            ("1.234,5", "1234,5"),
+            ("-1.234.567,25 mm", "-1234567,25 mm"),
+            ("1 234", "1234"),
+            ("1'234.5", "1234,5"),
+            ("1,234.5", "1234,5"),
+            ("1.234.567", "1234567"),
+        ] {
+            assert_eq!(point(text), Err(plain.to_owned()), "{text}");
+        }
+        // What may be a list needs a unit.
+        let list = |text: &str, has_unit: bool| with_point(text, false, has_unit).unwrap();
+        for text in ["1,2", "1,2,3", "100,200,300", "1,2e1", "1,2 deg, 3 deg"] {
+            assert_eq!(list(text, false), None, "{text}");
+        }
+        assert_eq!(list("1,2 deg", false).as_deref(), Some("1.2 deg"));
+        assert_eq!(list("1,2", true).as_deref(), Some("1.2"));
+    }
+
+    #[test]
+    fn keys_say_what_their_commas_are() {
+        for (key, wanted) in [
+            ("rod.length", Holds::Number),
+            ("cylinder[1].piston.mass", Holds::Number),
+            ("layout.cylinders", Holds::Number),
+            ("name", Holds::Words),
+            ("counterweight[0].name", Holds::Words),
+            ("speed", Holds::Other),
+            ("speed[1]", Holds::Number),
+            ("firing.order", Holds::Other),
+            ("firing.angles", Holds::Other),
+            ("balance.limits.force", Holds::Other),
+            ("nothing.known", Holds::Other),
+        ] {
+            assert_eq!(holds(key), wanted, "{key}");
+        }
+    }
+
+    #[test]
+    fn lists_keep_their_commas_in_tables() {
+        let text = |text: &str| CaseCell::Text(text.to_owned());
+        let row =
+            |number, cells: &[&str]| CaseRow { number, cells: cells.iter().map(|own| text(own)).collect() };
+        let heads = ["rod.length [mm]", "piston.mass", "firing.angles", "name", "crank.stroke [mm]"];
+        let table = CaseTable::of(vec![row(1, &heads), row(2, &["140,5", "0,3", "1,2", "1,2 l", "1.234,5"])]);
+        let table = table.unwrap().with_decimal_commas();
+        assert_eq!(table.rows[0].cells[..4], [text("140.5"), text("0.3"), text("1,2"), text("1,2 l")]);
+        let wrong = value(&table.rows[0].cells[4], &table.heads[4]).unwrap_err();
+        assert_eq!(wrong, "needs a value, got `1.234,5`: thousands separators are not read, write 1234,5");
     }
 }

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import re
 import zlib
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .errors import LanchesterError
+from .errors import LanchesterError, RequestError
 
 if TYPE_CHECKING:
     from ._native import Answer
@@ -16,16 +15,14 @@ if TYPE_CHECKING:
 
 __all__ = ["Kept"]
 
-_STEP = re.compile(r"\.?([^.\[\]]+)|\[(\d+)\]")
-
 MOST_CHOICES = 10_000
-"""Choices that are tried at most, which a search offers to be adopted."""
+"""Engines that are kept at most of those which a search offers to be adopted."""
 
 
 class Kept:
     """What an answer says, by value; it answers as the answer itself does."""
 
-    __slots__ = ("_figures", "_found", "_json", "_tables", "_text", "_values")
+    __slots__ = ("_choices", "_figures", "_found", "_json", "_tables", "_text", "_values")
 
     def __init__(
         self,
@@ -34,43 +31,35 @@ class Kept:
         text: str,
         tables: list[Any],
         figures: list[tuple[str, str, str]],
-        found: dict[int | None, Any],
+        choices: int | None,
+        found: list[Any],
     ) -> None:
         self._values = _fixed(values)
         self._json = json
         self._text = text
         self._tables = tables
         self._figures = figures
+        self._choices = choices
         self._found = found
 
     @staticmethod
     def of(answer: Answer) -> Kept:
         """All that an answer of the native module has."""
         json = zlib.compress(answer.json().encode(), 1)
-        return Kept(answer.values(), json, answer.text(), answer.tables(), answer.figures(), _found(answer))
+        choices = answer.choices()
+        found = [_found(answer, number) for number in range(min(choices or 0, MOST_CHOICES))]
+        return Kept(answer.values(), json, answer.text(), answer.tables(), answer.figures(), choices, found)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return Kept, (self._values, self._json, self._text, self._tables, self._figures, self._found)
+        return Kept, (self._values, self._json, self._text, self._tables, self._figures, self._choices, self._found)
 
     def field(self, name: str) -> Any:
-        if name not in self._values:
-            raise AttributeError(f"there is no `{name}`; there are {', '.join(self._values)}")
-        return self._values[name]
+        return _select(self._values, [name])
 
     def pick(self, path: str) -> Any:
-        here: Any = self._values
-        at = 0
-        while at < len(path):
-            step = _STEP.match(path, at)
-            if step is None:
-                raise AttributeError("it is no path")
-            at = step.end()
-            key, index = step.groups()
-            try:
-                here = here[key] if index is None else here[int(index)]
-            except (IndexError, KeyError, TypeError):
-                raise AttributeError(f"there is no {f'`{key}`' if index is None else f'[{index}]'}") from None
-        return here
+        from . import _native
+
+        return _select(self._values, _native.path_steps(path))
 
     def values(self) -> Any:
         return self._values
@@ -87,40 +76,52 @@ class Kept:
     def figures(self) -> list[tuple[str, str, str]]:
         return self._figures
 
-    def adopted(self, number: int | None = None) -> NativeEngine | None:
+    def choices(self) -> int | None:
+        return self._choices
+
+    def adopted(self, number: int) -> NativeEngine | None:
         from . import _native
 
-        found = self._found.get(number, self._found.get(-1))
+        if self._choices is None:
+            return None
+        if number >= len(self._found):
+            raise RequestError(f"choice {number} is not kept: a pickle has the first {len(self._found)} of {self._choices}", "adopt it from the search itself")
+        found = self._found[number]
         if isinstance(found, LanchesterError):
             raise found
-        return None if found is None else _native.Engine.of_text(found[0], "<text>", found[1])
+        return _native.Engine.of_text(found[0], "<text>", found[1])
 
 
-def _found(answer: Answer) -> dict[int | None, Any]:
-    """The engines that can be adopted by their numbers; behind -1 what any other number gets."""
+def _found(answer: Answer, number: int) -> Any:
+    """The text and folder of an engine that can be adopted, or why it cannot."""
+    try:
+        found = answer.adopted(number)
+    except LanchesterError as error:
+        return error
+    return None if found is None else (found.text, found.folder)
 
-    def engine(number: int | None) -> Any:
-        try:
-            found = answer.adopted(number)
-        except LanchesterError as error:
-            return error
-        return None if found is None else (found.text, found.folder)
 
-    first = engine(None)
-    if first is None or isinstance(first, LanchesterError):
-        return {None: first, -1: first}
-    numbered = {number: engine(number) for number in range(2)}
-    if numbered[0] == numbered[1]:
-        # There is no choice.
-        return {None: first, -1: first}
-    found: dict[int | None, Any] = {None: first}
-    for number in range(MOST_CHOICES):
-        own = engine(number)
-        if isinstance(own, LanchesterError):
-            found[-1] = own
-            break
-        found[number] = own
-    return found
+def _select(here: Any, steps: list[str | int]) -> Any:
+    """What is at the end of a path; in the words of an answer where there is nothing."""
+    for step in steps:
+        what = f"`{step}`" if isinstance(step, str) else f"[{step}]"
+        if isinstance(here, dict) and here:
+            # Numbers that are keys are texts in paths.
+            keys = {str(key): key for key in here}
+            if isinstance(step, int):
+                raise AttributeError(f"{what} needs a list; there are {', '.join(keys)}")
+            if step not in keys:
+                raise AttributeError(f"there is no {what}; there are {', '.join(keys)}")
+            here = here[keys[step]]
+        elif isinstance(here, (dict, list, np.ndarray)):
+            if isinstance(step, str):
+                raise AttributeError(f"{what} needs an index such as [0] before it: it is a list of {len(here)}")
+            if step >= len(here):
+                raise AttributeError(f"there is no {what} in a list of {len(here)}")
+            here = here[step]
+        else:
+            raise AttributeError(f"no {what} below a plain value")
+    return here.item() if isinstance(here, np.generic) else here
 
 
 def _fixed(value: Any) -> Any:

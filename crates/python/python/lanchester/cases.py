@@ -10,15 +10,13 @@ from os import PathLike
 from pathlib import Path
 from typing import Any
 
+from . import _native
 from .errors import RequestError
 
 __all__ = ["columns"]
 
 MOST_FAULTS = 20
 """Cells that are named of those that cannot be used; what follows has often the same cause."""
-
-_DECIMAL_COMMA = re.compile(r"^\s*([+-]?\d+),(\d+)(?![\d.,])")
-"""A number with a decimal comma at the beginning of a cell."""
 
 
 class _Faults(list[str]):
@@ -46,7 +44,7 @@ def columns(table: str | PathLike[str] | Mapping[str, Any]) -> dict[str, list[An
     """
     faults = _Faults()
     if isinstance(table, (str, PathLike)):
-        what, (heads, rows, cells) = str(table), _read(Path(table), faults)
+        what, (heads, rows, cells, commas) = str(table), _read(Path(table), faults)
         places = [_letters(place) for place in range(len(heads))]
         first: object = 1
     else:
@@ -54,7 +52,7 @@ def columns(table: str | PathLike[str] | Mapping[str, Any]) -> dict[str, list[An
         given = {own.name: own.to_list() for own in table.get_columns()} if hasattr(table, "get_columns") else dict(table)
         heads, cells = [str(head) for head in given], [list(values) for values in given.values()]
         rows = list(range(max((len(values) for values in cells), default=0)))
-        places, first = [""] * len(heads), "of heads"
+        places, first, commas = [""] * len(heads), "of heads", False
     found: dict[str, list[Any]] = {}
     for place, head, values in zip(places, heads, cells, strict=True):
         parts = re.fullmatch(r"\s*([^\[\s]+(?:\[\d+\][^\[\s]*)*)\s*(?:\[([^\]]+)\])?\s*", head)
@@ -66,17 +64,22 @@ def columns(table: str | PathLike[str] | Mapping[str, Any]) -> dict[str, list[An
             faults.add(first, place or None, f"two columns are of `{key}`")
             continue
         own = found[key] = []
-        for row, value in zip(rows, values, strict=False):
+        pointed = _native.decimal_points(key, unit is not None, [value.strip() for value in values]) if commas else [(value, None) for value in values]
+        column = f"{place} ({head.strip()})" if place else f"`{head.strip()}`"
+        for row, (value, fault) in zip(rows, pointed, strict=False):
+            if fault is not None:
+                faults.add(row, column, f"needs a value, got {fault}")
+                continue
             try:
                 own.append(_value(value, key, unit))
             except ValueError as error:
-                faults.add(row, f"{place} ({head.strip()})" if place else f"`{head.strip()}`", str(error))
+                faults.add(row, column, str(error))
     faults.refuse(what)
     return found
 
 
-def _read(path: Path, faults: _Faults) -> tuple[list[str], list[int], list[list[str]]]:
-    """Heads, numbers of the rows below as their user sees them, and cells by column."""
+def _read(path: Path, faults: _Faults) -> tuple[list[str], list[int], list[list[str]], bool]:
+    """Heads, numbers of the rows below as their user sees them, cells by column, and whether numbers may have decimal commas."""
     if path.suffix.lower() in (".xlsx", ".xls", ".ods"):
         raise RequestError(f"{path} is a workbook", 'give the DataFrame of pandas.read_excel("..."), or a CSV file')
     try:
@@ -85,7 +88,8 @@ def _read(path: Path, faults: _Faults) -> tuple[list[str], list[int], list[list[
         raise RequestError(f"cannot read {path}: it is not UTF-8 text (byte {error.start})", "save the table as CSV in UTF-8") from None
     except OSError as error:
         raise RequestError(f"cannot read {path}: {error.strerror or error}", "give a table of cases as CSV in UTF-8") from error
-    (_, heads), *rows = list(_rows(text)) or [(1, [])]
+    separator = _separator(text)
+    (_, heads), *rows = list(_rows(text, separator)) or [(1, [])]
     if not heads:
         raise RequestError(f"{path} is empty", "its first row has the keys, each further one is an engine")
     if not rows:
@@ -95,26 +99,24 @@ def _read(path: Path, faults: _Faults) -> tuple[list[str], list[int], list[list[
             faults.add(number, None, f"it has {len(row)} cells, the first row has {len(heads)}")
     # What a row leaves out at its end stays as the engine has it.
     cells = [[row[place] if place < len(row) else "" for _, row in rows] for place in range(len(heads))]
-    return heads, [number for number, _ in rows], cells
+    # Where semicolons part the cells, the comma is left for the decimals.
+    return heads, [number for number, _ in rows], cells, separator == ";"
 
 
-def _rows(text: str) -> Iterator[tuple[int, list[str]]]:
-    """The rows that are not empty, with the numbers of their lines. Cells are parted by commas, or by the semicolons or tabs of the first row."""
-    head = re.sub(r'"[^"]*"', "", text.lstrip().split("\n", 1)[0])
-    separator = next((own for own in ";\t" if own in head), ",")
+def _separator(text: str) -> str:
+    """Comma, semicolon or tab: what the first row has most of, outside of quotes; ties go to the comma."""
+    head = re.split("[\r\n]", re.sub(r'"[^"]*("|$)', "", text.lstrip()), maxsplit=1)[0]
+    return max(",;\t", key=head.count)
+
+
+def _rows(text: str, separator: str) -> Iterator[tuple[int, list[str]]]:
+    """The rows that are not empty, with the numbers of their lines."""
     reader = csv.reader(text.splitlines(keepends=True), delimiter=separator)
-    names: list[str] | None = None
     before = 0
     for row in reader:
         number, before = before + 1, reader.line_num
-        if not any(cell.strip() for cell in row):
-            continue
-        if names is None:
-            names = [cell.strip() for cell in row]
-        elif separator == ";":
-            # The comma is left for the decimals; names keep theirs.
-            row = [cell if names[place : place + 1] == ["name"] else _DECIMAL_COMMA.sub(r"\1.\2", cell) for place, cell in enumerate(row)]
-        yield number, row
+        if any(cell.strip() for cell in row):
+            yield number, row
 
 
 def _letters(place: int) -> str:

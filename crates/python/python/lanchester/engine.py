@@ -7,6 +7,7 @@ accepts them. Indices count from 0 as everywhere in Python; cylinders and throws
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from operator import index
 from os import PathLike
 from pathlib import Path
 from typing import Any, Literal, TypeVar, overload
@@ -1301,7 +1302,13 @@ def adopt(result: Result, number: int | None = None) -> Engine:
     >>> lanchester.adopt(twin.balance(minimise="force", counterweights="throws")) != twin
     True
     """
-    found = result._answer.adopted(number)
+    answer = result._answer
+    choices, place = answer.choices(), 0 if number is None else index(number)
+    if choices is not None and not 0 <= place < choices:
+        if hasattr(result, "front"):
+            raise RequestError(f"there is no layout {place} on a front of {choices}", "they are counted from 0, as in `front`")
+        raise RequestError(f"there is no choice {place}: {type(result).__name__} finds one engine", "leave the number out")
+    found = None if choices is None else answer.adopted(place)
     if found is None:
         raise RequestError(f"{type(result).__name__} finds nothing that an engine could adopt", "`balance`, `counterweight` and `explore` do")
     return Engine(found)

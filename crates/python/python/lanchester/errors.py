@@ -1,4 +1,4 @@
-"""What is raised. One tree: everything is a :class:`LanchesterError`, whose text reads like the command line's.
+"""What is raised. One tree: what cannot be done is a :class:`LanchesterError`, whose text reads like the command line's. A wrong type is a plain ``TypeError``.
 
 An outcome is no error: limits that no weights can hold, a run that was stopped, a search whose gap stays open are data of the result with their reason.
 """

@@ -205,7 +205,7 @@ fn figures(found: &Balance, engine: &Engine) -> Vec<Figure> {
     figures
 }
 
-fn adopted(found: &Balance, own: &Prepared, _: Option<usize>) -> Result<Arc<Prepared>, Failure> {
+fn adopted(found: &Balance, own: &Prepared, _: usize) -> Result<Arc<Prepared>, Failure> {
     match &found.answer.outcome {
         Outcome::Infeasible { reason, .. } => Err(Failure::option(
             format_args!("there are no weights to put into the engine: {reason}"),

@@ -87,7 +87,7 @@ fn shapes(found: &CounterweightDesigns) -> Vec<DesignedShape<'_>> {
     shapes.collect()
 }
 
-fn adopted(found: &CounterweightDesigns, own: &Prepared, _: Option<usize>) -> Result<Arc<Prepared>, Failure> {
+fn adopted(found: &CounterweightDesigns, own: &Prepared, _: usize) -> Result<Arc<Prepared>, Failure> {
     let designs = designs(found);
     if designs.is_empty() {
         return Err(Failure::option(

@@ -33,7 +33,7 @@ struct Exploration {
     answer: ExploreAnswer,
     #[serde(skip)]
     #[schemars(skip)]
-    explorer: Option<Explorer>,
+    explorer: Explorer,
 }
 
 /// The names of all objectives.
@@ -272,7 +272,7 @@ fn answer(
     let mut answer = explorer.answer(found, &engine.name, notes.to_vec()).map_err(Failure::refused)?;
     answer.given = Some(given_engine(engine, explorer, &answer).map_err(Failure::refused)?);
     Ok(Data::new(
-        Exploration { answer, explorer: Some(explorer.clone()) },
+        Exploration { answer, explorer: explorer.clone() },
         own,
         Shown {
             text: |found, _| layout_search_text(&found.answer, 20, false),
@@ -282,21 +282,22 @@ fn answer(
                 false => vec![layout_front_figure(&found.answer)],
             },
             adopted: Some(adopted),
+            choices: |found| found.answer.front.len(),
             ..Shown::default()
         },
     ))
 }
 
 /// A layout of the front by its index, from 0.
-fn adopted(found: &Exploration, own: &Prepared, number: Option<usize>) -> Result<Arc<Prepared>, Failure> {
+fn adopted(found: &Exploration, own: &Prepared, number: usize) -> Result<Arc<Prepared>, Failure> {
     let front = &found.answer.front;
-    let number = number.unwrap_or(0);
-    let (Some(layout), Some(explorer)) = (front.get(number), &found.explorer) else {
+    let Some(layout) = front.get(number) else {
         return Err(Failure::option(
             format_args!("there is no layout {number} on a front of {}", front.len()),
             "they are counted from 0, as in `front`",
         ));
     };
-    let engine = adopted_layout(own.engine(), explorer, layout.layout.case).map_err(Failure::refused)?;
+    let engine =
+        adopted_layout(own.engine(), &found.explorer, layout.layout.case).map_err(Failure::refused)?;
     own.with_text(expanded(&engine.into()))
 }
