@@ -12,7 +12,7 @@ use crate::cavitation::Cavitation;
 use crate::contact::contact_force;
 use crate::error::FilmError;
 use crate::grid::FilmGrid;
-use crate::orbit::{FilmOrbit, JournalCycle, OrbitOutcome, check_cycle};
+use crate::orbit::{FilmOrbit, JournalCycle, OrbitOutcome, REPEATS, check_cycle};
 use crate::plane::{Plane, add, cross, direction, dot, length};
 use crate::problem::{Feed, FilmProblem};
 use crate::solution::FilmSolution;
@@ -20,8 +20,6 @@ use crate::solver::FilmSolver;
 
 /// Most periods until the orbit repeats.
 const MOST_PERIODS: usize = 20;
-/// Change of the orbit from period to period, over the clearance, that counts as none.
-const REPEATS: f64 = 1e-3;
 /// Cells around the film, and along half its length.
 const CELLS: (usize, usize) = (96, 8);
 /// Eccentricity over clearance up to which a step may go: what is beyond it touches.

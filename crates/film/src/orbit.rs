@@ -19,7 +19,7 @@ use std::ops::ControlFlow;
 /// Most periods until the orbit repeats.
 const MOST_PERIODS: usize = 30;
 /// Change of the orbit from period to period, over the clearance, that counts as none.
-const REPEATS: f64 = 1e-3;
+pub(crate) const REPEATS: f64 = 1e-3;
 /// Instants at which pressure, friction and flow are taken.
 const INSTANTS: usize = 120;
 /// Films of these: cells around and along half the length.
@@ -125,32 +125,32 @@ struct Orbit<'a> {
     scale: f64,
 }
 
+/// The periodic cubic through `n` samples at a place over the period: four samples with their weights.
+pub(crate) fn cubic(s: f64, n: usize) -> [(usize, f64); 4] {
+    let place = s.rem_euclid(1.0) * n as f64;
+    let i = (place as usize).min(n - 1);
+    let t = place - i as f64;
+    let weights = [
+        -0.5 * t * (1.0 - t) * (1.0 - t),
+        1.0 + t * t * (1.5 * t - 2.5),
+        t * (0.5 + t * (2.0 - 1.5 * t)),
+        -0.5 * t * t * (1.0 - t),
+    ];
+    [0, 1, 2, 3].map(|k| ((i + n + k - 1) % n, weights[k]))
+}
+
+impl JournalCycle {
+    /// Mean of the angular speeds at a place over the period [rad/s].
+    pub(crate) fn entrainment_at(&self, s: f64) -> f64 {
+        cubic(s, self.entrainment.len()).iter().map(|(i, weight)| weight * self.entrainment[*i]).sum()
+    }
+}
+
 impl Orbit<'_> {
-    /// Periodic cubic through the samples.
-    fn at<T>(&self, s: f64, value: impl Fn(usize) -> T, blend: impl Fn([T; 4], [f64; 4]) -> T) -> T {
-        let n = self.request.cycle.load.len();
-        let place = s.rem_euclid(1.0) * n as f64;
-        let i = (place as usize).min(n - 1);
-        let t = place - i as f64;
-        let weights = [
-            -0.5 * t * (1.0 - t) * (1.0 - t),
-            1.0 + t * t * (1.5 * t - 2.5),
-            t * (0.5 + t * (2.0 - 1.5 * t)),
-            -0.5 * t * t * (1.0 - t),
-        ];
-        blend([0, 1, 2, 3].map(|k| value((i + n + k - 1) % n)), weights)
-    }
-
     fn load(&self, s: f64) -> Plane {
-        self.at(
-            s,
-            |i| self.request.cycle.load[i],
-            |p, w| [0, 1].map(|k| (0..4).map(|j| w[j] * p[j][k]).sum()),
-        )
-    }
-
-    fn scalar(&self, s: f64, samples: &[f64]) -> f64 {
-        self.at(s, |i| samples[i], |p, w| (0..4).map(|j| w[j] * p[j]).sum())
+        let load = &self.request.cycle.load;
+        let four = cubic(s, load.len());
+        [0, 1].map(|k| four.iter().map(|(i, weight)| weight * load[*i][k]).sum())
     }
 
     /// Contact on the journal [N].
@@ -165,7 +165,7 @@ impl Orbit<'_> {
         let contact = self.contact(ratio);
         let film = add(self.load(s).map(|l| -l), -1.0, contact);
         let v = self.request.table.velocity(ratio, film.map(|f| f / self.scale))?;
-        let speed = self.scalar(s, &self.request.cycle.entrainment) * self.request.bearing.clearance;
+        let speed = self.request.cycle.entrainment_at(s) * self.request.bearing.clearance;
         Ok(add(v, speed, quarter(ratio)))
     }
 }
@@ -188,7 +188,7 @@ impl System for Orbit<'_> {
             Some(mass) => {
                 // State: e/c and its rate per period.
                 let rate = [y[2], y[3]].map(|part| part * c / duration);
-                let speed = self.scalar(s, &self.request.cycle.entrainment) * c;
+                let speed = self.request.cycle.entrainment_at(s) * c;
                 let v = add(rate, -speed, quarter(ratio));
                 if let Ok(film) = self.request.table.impedance(ratio, v) {
                     let contact = self.contact(ratio);
@@ -265,25 +265,51 @@ fn trace<'a>(request: &OrbitRequest<'a>) -> Result<Traced<'a>, FilmError> {
     let (bearing, cycle) = (&request.bearing, request.cycle);
     check(request)?;
     let mut system = Orbit { request: *request, scale: bearing.force_scale(request.viscosity) };
-    let n = cycle.load.len();
     let mut state = vec![0.0; system.dimension()];
+    let apart = |a: &Plane, b: &Plane| length([a[0] - b[0], a[1] - b[1]]);
+    let found = repeated(&mut system, &mut state, cycle.load.len(), MOST_PERIODS, apart);
+    let Repeated { states: orbit, outcome, periods, change, steps, .. } = found;
+    Ok(Traced { system, orbit, outcome, periods, change, steps })
+}
+
+/// Periods that were integrated until they repeat.
+pub(crate) struct Repeated<const D: usize> {
+    /// The first components of the state at every instant of the last period; where it ended early, those before it at the rest.
+    pub states: Vec<[f64; D]>,
+    pub outcome: OrbitOutcome,
+    pub periods: usize,
+    pub change: f64,
+    pub steps: u64,
+    /// How many instants the last period reached.
+    pub reached: usize,
+}
+
+/// Integrates period after period, each of length 1, until `apart` two neighbouring ones is less than [`REPEATS`] at every one of `n` instants. The first
+/// half of a state with rates, or all of one without, has the tolerance of a place.
+pub(crate) fn repeated<const D: usize>(
+    system: &mut impl System,
+    state: &mut [f64],
+    n: usize,
+    most: usize,
+    apart: impl Fn(&[f64; D], &[f64; D]) -> f64,
+) -> Repeated<D> {
     let mut settings = Settings::uniform(state.len(), 1e-5);
     settings.longest_step = 0.02;
     settings.most_evaluations = 3_000_000;
-    for absolute in settings.absolute.iter_mut().skip(2) {
-        *absolute = 1e-3;
-    }
+    let places = if state.len() > 2 { state.len() / 2 } else { state.len() };
+    settings.absolute.iter_mut().skip(places).for_each(|absolute| *absolute = 1e-3);
     let mut integrator = Radau5::new(settings);
-    let mut orbit = vec![[0.0; 2]; n];
+    let mut states = vec![[0.0; D]; n];
     let (mut change, mut periods, mut outcome) = (f64::INFINITY, 0, OrbitOutcome::NotPeriodic);
-    while periods < MOST_PERIODS {
+    let mut reached = n;
+    while periods < most {
         let (mut s, mut next) = (periods as f64, 0);
         let start = s;
-        let mut now = vec![[0.0; 2]; n];
-        let end = integrator.run(&mut system, &mut s, &mut state, start + 1.0, |step| {
+        let mut now = vec![[0.0; D]; n];
+        let end = integrator.run(system, &mut s, state, start + 1.0, |step| {
             while next < n && start + next as f64 / n as f64 <= step.to {
                 let at = start + next as f64 / n as f64;
-                now[next] = [step.component(0, at), step.component(1, at)];
+                now[next] = std::array::from_fn(|k| step.component(k, at));
                 next += 1;
             }
             ControlFlow::Continue(())
@@ -291,18 +317,18 @@ fn trace<'a>(request: &OrbitRequest<'a>) -> Result<Traced<'a>, FilmError> {
         periods += 1;
         if end != Outcome::Reached {
             outcome = OrbitOutcome::Overloaded;
-            orbit[..next].copy_from_slice(&now[..next]);
+            states[..next].copy_from_slice(&now[..next]);
+            reached = next;
             break;
         }
-        change = orbit.iter().zip(&now).map(|(a, b)| length([a[0] - b[0], a[1] - b[1]])).fold(0.0, f64::max);
-        orbit = now;
+        change = states.iter().zip(&now).map(|(a, b)| apart(a, b)).fold(0.0, f64::max);
+        states = now;
         if periods > 1 && change < REPEATS {
             outcome = OrbitOutcome::Periodic;
             break;
         }
     }
-    let steps = integrator.statistics().steps;
-    Ok(Traced { system, orbit, outcome, periods, change, steps })
+    Repeated { states, outcome, periods, change, steps: integrator.statistics().steps, reached }
 }
 
 /// Index of the largest eccentricity.
@@ -441,14 +467,15 @@ fn films(system: &Orbit, orbit: &[Plane], along: Option<Along>) -> Result<FilmOr
         };
         FilmSolver::new(grid)?.solve(&problem)
     };
-    let over = |count: usize| (0..count.min(n)).map(move |k| k * n / count.min(n)).filter(|i| *i < reached);
-    let mut instants: Vec<usize> = over(if slopes.is_some() { TILTED_INSTANTS } else { INSTANTS }).collect();
+    let spread = |count: usize| (0..count.min(n)).map(move |k| k * n / count.min(n)).filter(|i| *i < reached);
+    let mut instants: Vec<usize> =
+        spread(if slopes.is_some() { TILTED_INSTANTS } else { INSTANTS }).collect();
     let regular = instants.len() as f64;
     instants.push(least);
     if slopes.is_some() {
         // The peak lies between few instants: parallel axes tell where.
         let mut most = (least, 0.0);
-        for i in over(INSTANTS) {
+        for i in spread(INSTANTS) {
             let pressure = solve(i, [0.0; 2])?.largest_pressure;
             if pressure > most.1 {
                 most = (i, pressure);
@@ -468,11 +495,12 @@ fn films(system: &Orbit, orbit: &[Plane], along: Option<Along>) -> Result<FilmOr
         if film.largest_pressure > found.largest_pressure {
             (found.largest_pressure, found.largest_pressure_at) = (film.largest_pressure, s);
         }
-        // Where the load is that of the film itself it passes near zero.
-        let load = if along.is_some() { largest_load } else { length(cycle.load[i]) };
+        let load = length(cycle.load[i]);
         if load > 0.0 {
+            // Of a shaft the load is that of the film itself, and passes near zero.
+            let over = if slopes.is_some() { largest_load } else { load };
             let table = request.table.impedance(at, motion(i)?.closing())?.force.map(|f| f * system.scale);
-            found.table_error = found.table_error.max(length(add(table, -1.0, film.force)) / load);
+            found.table_error = found.table_error.max(length(add(table, -1.0, film.force)) / over);
             found.contact_share = found.contact_share.max(length(contact) / load);
         }
         if (k as f64) < regular {

@@ -9,16 +9,16 @@
 use crate::bearing::{JournalBearing, check_viscosity};
 use crate::contact::contact_force;
 use crate::error::{FilmError, require};
-use crate::orbit::{Along, FilmOrbit, JournalCycle, OrbitOutcome, OrbitRequest, check_cycle, films_along};
+use crate::orbit::{
+    Along, FilmOrbit, JournalCycle, OrbitOutcome, OrbitRequest, Repeated, check_cycle, cubic, films_along,
+    repeated,
+};
 use crate::plane::{Plane, add, direction, length, quarter};
 use crate::table::FilmTable;
-use lanchester_numerics::{Outcome, Radau5, Settings, System};
-use std::ops::ControlFlow;
+use lanchester_numerics::System;
 
 /// Most periods until the orbits repeat.
 const MOST_PERIODS: usize = 40;
-/// Change of an orbit from period to period, over the clearance, that counts as none.
-const REPEATS: f64 = 1e-3;
 
 /// A journal of the shaft.
 #[derive(Debug, Clone, Copy)]
@@ -75,28 +75,24 @@ struct Shaft<'a> {
     units: [f64; 4],
 }
 
+/// Place and rate of a journal [m, m/s], from the state in its units.
+fn place_and_rate(u: [f64; 4], duration: f64, z: f64, y: &[f64]) -> (Plane, Plane) {
+    let place = [u[0] * y[0] + z * u[2] * y[2], u[1] * y[1] + z * u[3] * y[3]];
+    let rate = [u[0] * y[4] + z * u[2] * y[6], u[1] * y[5] + z * u[3] * y[7]];
+    (place, rate.map(|part| part / duration))
+}
+
 impl Shaft<'_> {
     /// Place and rate of a journal [m, m/s], from the state.
     fn journal(&self, z: f64, y: &[f64]) -> (Plane, Plane) {
-        let u = &self.units;
-        let place = [u[0] * y[0] + z * u[2] * y[2], u[1] * y[1] + z * u[3] * y[3]];
-        let rate = [u[0] * y[4] + z * u[2] * y[6], u[1] * y[5] + z * u[3] * y[7]];
-        (place, rate.map(|part| part / self.duration))
-    }
-
-    /// Speeds at a time: linear between the samples.
-    fn entrainment(&self, cycle: &JournalCycle, s: f64) -> f64 {
-        let n = cycle.entrainment.len();
-        let at = s.rem_euclid(1.0) * n as f64;
-        let (i, t) = ((at as usize).min(n - 1), at.fract());
-        cycle.entrainment[i] * (1.0 - t) + cycle.entrainment[(i + 1) % n] * t
+        place_and_rate(self.units, self.duration, z, y)
     }
 
     /// Film and contact on a journal [N]; `None` where the film has no thickness.
     fn force(&self, index: usize, s: f64, place: Plane, rate: Plane) -> Option<Plane> {
         let ShaftJournal { bearing, table, cycle, .. } = self.request.journals[index];
         let ratio = place.map(|part| part / bearing.clearance);
-        let closing = add(rate, -self.entrainment(cycle, s), quarter(place));
+        let closing = add(rate, -cycle.entrainment_at(s), quarter(place));
         let film = table.impedance(ratio, closing).ok()?.force;
         let (along, size) = direction(ratio);
         let contact = contact_force(&bearing, self.request.roughness, size);
@@ -105,20 +101,9 @@ impl Shaft<'_> {
 
     /// Periodic cubic through the loads.
     fn load(&self, s: f64) -> [f64; 4] {
-        let n = self.loads.len();
-        let at = s.rem_euclid(1.0) * n as f64;
-        let i = (at as usize).min(n - 1);
-        let t = at - i as f64;
-        let weights = [
-            -0.5 * t * (1.0 - t) * (1.0 - t),
-            1.0 + t * t * (1.5 * t - 2.5),
-            t * (0.5 + t * (2.0 - 1.5 * t)),
-            -0.5 * t * t * (1.0 - t),
-        ];
         let mut sum = [0.0; 4];
-        for (k, weight) in weights.into_iter().enumerate() {
-            let own = self.loads[(i + n + k - 1) % n];
-            (0..4).for_each(|part| sum[part] += weight * own[part]);
+        for (i, weight) in cubic(s, self.loads.len()) {
+            (0..4).for_each(|part| sum[part] += weight * self.loads[i][part]);
         }
         sum
     }
@@ -225,53 +210,23 @@ impl<'a> FloatingShaft<'a> {
         self.system.scales =
             journals.iter().zip(viscosities).map(|(own, mu)| own.bearing.force_scale(*mu)).collect();
         let n = self.system.loads.len();
-        let mut settings = Settings::uniform(8, 1e-5);
-        settings.longest_step = 0.02;
-        settings.most_evaluations = 6_000_000;
-        settings.absolute.iter_mut().skip(4).for_each(|absolute| *absolute = 1e-3);
-        let mut integrator = Radau5::new(settings);
-        let mut states = vec![[0.0; 8]; n];
-        let mut reached = n;
-        let (mut change, mut periods, mut outcome) = (f64::INFINITY, 0, OrbitOutcome::NotPeriodic);
-        while periods < MOST_PERIODS {
-            let (mut s, mut next) = (periods as f64, 0);
-            let start = s;
-            let mut now = vec![[0.0; 8]; n];
-            let end = integrator.run(&mut self.system, &mut s, &mut self.state, start + 1.0, |step| {
-                while next < n && start + next as f64 / n as f64 <= step.to {
-                    let at = start + next as f64 / n as f64;
-                    now[next] = std::array::from_fn(|k| step.component(k, at));
-                    next += 1;
-                }
-                ControlFlow::Continue(())
-            });
-            periods += 1;
-            if end != Outcome::Reached {
-                outcome = OrbitOutcome::Overloaded;
-                // What was not reached stays where the last instant was.
-                let last =
-                    now[..next].last().copied().unwrap_or_else(|| std::array::from_fn(|k| self.state[k]));
-                states[..next].copy_from_slice(&now[..next]);
-                states[next..].fill(last);
-                reached = next.max(1);
-                self.state.fill(0.0);
-                break;
-            }
-            change = journals
-                .iter()
-                .flat_map(|own| {
-                    let place = |state: &[f64; 8]| self.system.journal(own.z, state).0;
-                    let c = own.bearing.clearance;
-                    states.iter().zip(&now).map(move |(a, b)| length(add(place(a), -1.0, place(b))) / c)
-                })
-                .fold(0.0, f64::max);
-            states = now;
-            if periods > 1 && change < REPEATS {
-                outcome = OrbitOutcome::Periodic;
-                break;
-            }
+        let (units, duration) = (self.system.units, self.system.duration);
+        let apart = |a: &[f64; 8], b: &[f64; 8]| {
+            let apart = |own: &ShaftJournal| {
+                let place = |y: &[f64; 8]| place_and_rate(units, duration, own.z, y).0;
+                length(add(place(a), -1.0, place(b))) / own.bearing.clearance
+            };
+            journals.iter().map(apart).fold(0.0, f64::max)
+        };
+        let found = repeated(&mut self.system, &mut self.state, n, MOST_PERIODS, apart);
+        let Repeated { mut states, outcome, periods, change, steps, reached } = found;
+        if outcome == OrbitOutcome::Overloaded {
+            // What was not reached stays where the last instant was.
+            let last = states[..reached].last().copied().unwrap_or_default();
+            states[reached..].fill(last);
+            self.state.fill(0.0);
         }
-        let steps = integrator.statistics().steps;
+        let reached = reached.max(1);
         let slopes: Vec<Plane> =
             states.iter().map(|y| [self.system.units[2] * y[2], self.system.units[3] * y[3]]).collect();
         let (mut orbits, mut loads) = (Vec::new(), Vec::new());

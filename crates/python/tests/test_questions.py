@@ -199,6 +199,14 @@ def test_indices_count_from_0_in_messages_too() -> None:
         whole.simulate(tolerance=math.nan)
 
 
+def test_sizes_of_elements_without_elements_are_refused() -> None:
+    whole = Engine.template("single").complete()
+    with pytest.raises(RequestError, match="those of finite elements"):
+        whole.strength(size="8 mm")
+    with pytest.raises(RequestError, match="those of finite elements"):
+        whole.strength(fillet_elements=8)
+
+
 @pytest.mark.parametrize(
     "ask",
     [

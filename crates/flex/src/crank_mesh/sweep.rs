@@ -87,6 +87,20 @@ pub struct CrankMesh {
     pub left_out: Vec<String>,
 }
 
+impl CrankMesh {
+    /// Planes of the end faces of a bay [m].
+    ///
+    /// # Errors
+    /// [`FlexError::Missing`] for a whole crankshaft, which has none.
+    pub fn cut_planes(&self) -> Result<[f64; 2], FlexError> {
+        let plane = |cut: &str| -> Result<f64, FlexError> {
+            let nodes = &self.mesh.set(cut)?.nodes;
+            Ok(nodes.first().map_or(f64::NAN, |node| self.mesh.nodes[*node as usize][2]))
+        };
+        Ok([plane(CUTS[0])?, plane(CUTS[1])?])
+    }
+}
+
 /// Meshes crankshaft `index` of an engine.
 ///
 /// # Errors

@@ -75,7 +75,7 @@ pub fn with_element_factors(
                 watch(StressStage::Meshed(bay.mesh.nodes.len(), bay.mesh.elements.len()));
                 let estimate = |estimate: &_| watch(StressStage::Factoring(*estimate));
                 let found = throw_stress(&bay, supports, solve, &estimate)?;
-                let own = (factors(&throw, &found)?, throw_mesh(&bay, options, &throw, &found));
+                let own = (throw_factors(&throw, &found)?, throw_mesh(&bay, options, &throw, &found));
                 solved.push(Solved { shape, factors: own.0, mesh: own.1.clone() });
                 own
             }
@@ -158,7 +158,11 @@ fn meshed(
     }
 }
 
-fn factors(throw: &RuleThrow, found: &ThrowStress) -> Result<[FactorValues; 2], StressError> {
+/// Stress concentration factors of both webs of a throw, from the stresses of its fillets.
+///
+/// # Errors
+/// [`FlexError::Missing`] where a corner of the throw is sharp.
+pub fn throw_factors(throw: &RuleThrow, found: &ThrowStress) -> Result<[FactorValues; 2], StressError> {
     let fillet = |name: String| -> Result<&FilletStress, StressError> {
         found.fillets.iter().find(|own| own.name == name).ok_or(StressError::Flex(FlexError::Missing {
             what: "fillet",

@@ -4,7 +4,7 @@ use crate::stress::mesh::MOST_NODES;
 use crate::stress::request::{StaticRequest, StressError, StressStage, SubmodelRequest};
 use lanchester_flex::FlexError;
 use lanchester_flex::crank_case::{CrankCase, CrankLoad};
-use lanchester_flex::crank_mesh::{CUTS, CrankMesh, CrankMeshOptions, crank_mesh_of_bay};
+use lanchester_flex::crank_mesh::{CrankMesh, CrankMeshOptions, crank_mesh_of_bay};
 use lanchester_flex::submodel::{SolvedCrank, check_cut, solve_submodel};
 use lanchester_model::Engine;
 use lanchester_report::{CrankSheet, StressSubmodel, SubmodelFillet};
@@ -45,13 +45,9 @@ pub(crate) fn submodel(
         let whole = peaks.max_by(|a, b| a.von_mises.total_cmp(&b.von_mises))?;
         Some(SubmodelFillet { name: corner.name.clone(), radius: corner.radius, whole, stress, case })
     });
-    let height = |cut: &str| -> Result<f64, FlexError> {
-        let nodes = &bay.mesh.set(cut)?.nodes;
-        Ok(nodes.first().map_or(f64::NAN, |node| bay.mesh.nodes[*node as usize][2]))
-    };
     Ok(StressSubmodel {
         throw: *throw,
-        cuts: [height(CUTS[0])?, height(CUTS[1])?],
+        cuts: bay.cut_planes()?,
         size: options.size,
         fillet_elements: options.fillet_elements,
         quality: bay.quality.clone(),

@@ -1,7 +1,7 @@
 //! Whether two throws of a crankshaft are one, moved along it, turned about it or mirrored.
 
 use lanchester_flex::FlexError;
-use lanchester_flex::crank_mesh::{CUTS, CrankMesh};
+use lanchester_flex::crank_mesh::CrankMesh;
 use lanchester_flex::throw_stress::throw_direction;
 use lanchester_geometry::crankshaft::CrankshaftBody;
 use lanchester_strength::{RuleThrow, WebSection};
@@ -38,11 +38,7 @@ impl ThrowShape {
         bay: &CrankMesh,
         throw: &RuleThrow,
     ) -> Result<ThrowShape, FlexError> {
-        let height = |cut: &str| -> Result<f64, FlexError> {
-            let nodes = &bay.mesh.set(cut)?.nodes;
-            Ok(nodes.first().map_or(f64::NAN, |node| bay.mesh.nodes[*node as usize][2]))
-        };
-        let (front, rear) = (height(CUTS[0])?, height(CUTS[1])?);
+        let [front, rear] = bay.cut_planes()?;
         let [x, y] = throw_direction(bay, throw.throw + 1)?;
         let back = -y.atan2(x);
         let clipped = |faces: [f64; 2]| {

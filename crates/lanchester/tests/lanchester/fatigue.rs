@@ -5,10 +5,10 @@ use lanchester::flex::statics::SolveOptions;
 use lanchester::flex::throw_stress::{ThrowSupports, throw_stress};
 use lanchester::model::Engine;
 use lanchester::report::rule_text;
-use lanchester::strength::{FilletStresses, RangeBreach, RuleFactors, RuleMaterial, rule_throws};
+use lanchester::strength::{RangeBreach, RuleFactors, RuleMaterial, rule_throws};
 use lanchester::{
     FatigueRequest, RuleRequest, StaticRequest, StressError, StressLoad, StressMesh, crank_fatigue,
-    crank_rule, static_stress, with_element_factors,
+    crank_rule, static_stress, throw_factors, with_element_factors,
 };
 
 const FILE: &str = r#"
@@ -112,14 +112,7 @@ fn factors_by_elements_stand_near_those_of_the_formulas() {
             assert!((a / b - 1.0).abs() < 0.02, "{front:?} {rear:?}");
         }
     }
-    let stresses = FilletStresses {
-        pin_bending: pin.bending,
-        journal_bending: journal.bending,
-        journal_force: journal.force,
-        pin_torsion: pin.torsion,
-        journal_torsion: journal.torsion,
-    };
-    let own = stresses.factors(&throws[0], 0);
+    let [own, _] = throw_factors(&throws[0], &found).unwrap();
     let rule = RuleFactors::new(&throws[0].sections[0].ratios()).values();
     // Solid pins: of such throws the formulas for the pin are near; how far those for the journal are off is what this crankshaft gives.
     let off = |own: f64, rule: f64| own / rule - 1.0;

@@ -308,6 +308,12 @@ fn read_rule(options: &Options<'_>) -> Result<Run, Failure> {
     };
     let by_elements = options.flag("finite_elements")?.unwrap_or(false);
     let mesh = AskedMesh::read(options)?;
+    if !by_elements && (mesh.size.is_some() || mesh.fillet_elements.is_some()) {
+        return Err(Failure::option(
+            "`size` and `fillet_elements` are those of finite elements",
+            "add finite_elements=True, or leave them out",
+        ));
+    }
     Ok(Box::new(move |engines, _| {
         let own = &engines[0];
         crankshaft_of(own, request.crankshaft)?;
