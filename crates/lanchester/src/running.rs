@@ -7,7 +7,8 @@ use crate::mounted::{MountSpeeds, mounts};
 use crate::pressure::measured::TraceFile;
 use crate::simulation::plan::SimulateRequest;
 use crate::simulation::simulate;
-use crate::stress::rule::{RuleRequest, crank_rule, has_rule};
+use crate::stress::rule::{RuleRequest, has_rule};
+use crate::stress::rule_torsion::crank_rule_of_file;
 use crate::torque_report::{
     BearingStudy, TorqueReport, TorqueReportRequest, bearing_study, power_speeds, torque_report,
 };
@@ -92,7 +93,7 @@ pub fn running(file: &EngineFile, traces: Result<&[TraceFile], String>, speed: f
         section(has_rule(engine), "the strength of the crankshaft is", &traces, &mut warnings, |traces| {
             let of = |crankshaft| {
                 let request = RuleRequest { crankshaft, ..RuleRequest::default() };
-                crank_rule(engine, traces, &request).map_err(|error| error.to_string())
+                crank_rule_of_file(file, traces, &request).map_err(|error| error.to_string())
             };
             (0..engine.crankshafts.len()).map(of).collect::<Result<Vec<_>, _>>()
         });

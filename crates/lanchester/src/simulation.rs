@@ -3,6 +3,7 @@
 pub(crate) mod crank_bodies;
 pub(crate) mod gas_torque;
 mod heat;
+pub(crate) mod mount_chains;
 pub(crate) mod plan;
 pub(crate) mod prepared;
 

@@ -37,7 +37,7 @@ pub use request::{
 };
 pub use rule::{CrankRuleError, RuleRequest, crank_rule};
 pub use rule_elements::{throw_factors, with_element_factors};
-pub use rule_torsion::{RuleTorsionError, crank_rule_with_torsion};
+pub use rule_torsion::{RuleTorsionError, crank_rule_of_file, crank_rule_with_torsion};
 pub use run::{crank_modes, static_stress};
 pub use surface::{
     FilletCycle, FilletPeak, SurfacePlan, SurfaceRequest, SurfaceStress, WorstCase, surface_plan,

@@ -19,7 +19,7 @@ pub struct MountPlace {
     pub at: Vector3<f64>,
     /// Stiffness in the axes of the frame [N/m].
     pub stiffness: Matrix3<f64>,
-    /// Viscous damping in the axes of the frame [N s/m].
+    /// Viscous damping in the axes of the frame [N s/m], with that of its chains.
     pub damping: Matrix3<f64>,
     /// Force on the block in the position of the file [N].
     pub preload: Vector3<f64>,
@@ -27,7 +27,7 @@ pub struct MountPlace {
     pub axes: [Vector3<f64>; 3],
     /// Whether the file gives it a loss factor or a table over frequency, which has no exact form in time.
     pub frequency_dependent: bool,
-    /// Maxwell chains along its directions in place of those, where they were fitted; `stiffness` is then that of the chains at rest.
+    /// Maxwell chains along its directions in place of those, where they were fitted; `stiffness` is theirs at rest.
     pub chains: Option<[MaxwellChain; 3]>,
     spring: MountSpring,
 }
@@ -59,13 +59,18 @@ impl MountPlace {
         !self.frequency_dependent || self.chains.is_some()
     }
 
-    /// Fits Maxwell chains over `band` [rad/s] where its stiffness depends on frequency or is complex; the largest error of any direction.
+    /// Fits Maxwell chains over `band` [rad/s] where its stiffness depends on frequency or is complex; the largest error of any direction. At rest they are as stiff as
+    /// the file says.
     pub fn fit(&mut self, band: [f64; 2]) -> f64 {
         if !self.frequency_dependent {
             return 0.0;
         }
-        let chains = [0, 1, 2].map(|k| MaxwellChain::fit(|w| complex_stiffness(&self.spring, w)[k], band));
-        self.stiffness = (0..3).map(|k| chains[k].at_rest * self.axes[k] * self.axes[k].transpose()).sum();
+        let chains = [0, 1, 2].map(|k| {
+            let spring = &self.spring;
+            MaxwellChain::fit(|w| complex_stiffness(spring, w)[k], spring.stiffness[k], band)
+        });
+        let own = |k: usize| self.spring.damping[k] + chains[k].damping;
+        self.damping = (0..3).map(|k| own(k) * self.axes[k] * self.axes[k].transpose()).sum();
         let error = chains.iter().map(|chain| chain.error).fold(0.0, f64::max);
         self.chains = Some(chains);
         error

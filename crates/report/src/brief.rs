@@ -6,15 +6,14 @@ use crate::kit::paragraph::push_wrapped;
 use crate::kit::table::{Cell, Table};
 use crate::loads::peaks_table;
 use crate::mounts::{mount_modes_table, mount_speeds_table};
-use crate::optimum::found_weights_table;
-use crate::optimum::headline;
+use crate::optimum::{found_weights_table, headline, moved_words};
 use crate::simulated::{SimulationResult, periodic_words, simulation_tables, simulation_words};
 use crate::strength::CrankRule;
 use crate::stress::{CrankCycle, CrankFatigue, CrankModes, ReducedCrank, StaticStress};
 use crate::study::{equal_words, ranking_words};
 use crate::torque::{flywheel_table, torque_extremes_table, torque_table};
 use crate::torsion::TorsionResult;
-use lanchester_balance::Answer;
+use lanchester_balance::{Answer, Durable};
 use lanchester_mechanism::{BearingLoads, Brake, FlywheelNeed, Loads, MountStudy, Torque};
 use lanchester_model::Engine;
 use lanchester_study::compare::Comparison;
@@ -165,11 +164,17 @@ pub fn comparison_brief(comparison: &Comparison) -> String {
     out
 }
 
-/// What was found, and the weights.
-pub fn balance_brief(engine: &Engine, answer: &Answer) -> String {
+/// What was found, and the weights; those of `durable` where it moved them.
+pub fn balance_brief(engine: &Engine, answer: &Answer, durable: Option<&Durable>) -> String {
     let mut out = head(&answer.engine, answer.speed) + "\n";
     push_wrapped(&mut out, "", &headline(engine, answer));
-    let table = found_weights_table(answer);
+    let moved = durable.filter(|found| found.is_moved()).map(|found| found.answer(answer));
+    durable
+        .map(moved_words)
+        .filter(|words| !words.is_empty())
+        .into_iter()
+        .for_each(|words| push_wrapped(&mut out, "", words));
+    let table = found_weights_table(moved.as_ref().unwrap_or(answer));
     let column = |name: &str| table.columns.iter().position(|column| column.header == name);
     if let (Some(unbalance), Some(direction)) = (column("unbalance"), column("direction")) {
         let line = |row: usize| match quantity(&table, row, direction) {

@@ -21,7 +21,7 @@ pub use cancellation::{cancellation_proof_table, cancelled_orders_table};
 pub use consequence_figures::consequence_figures;
 pub use consequence_tables::consequences_table;
 pub use consequence_text::consequence_words;
-pub use durable::{durability_table, durability_text, durability_words, durable_weights_table};
+pub use durable::{durability_table, durability_text, durability_words, durable_weights_table, moved_words};
 pub use figures::optimum_figures;
 pub use robust::robust_text;
 pub use section::{OptimumInput, optimum_section};

@@ -12,7 +12,7 @@ use lanchester::balance::{
 use lanchester::file::{EngineFile, write_back};
 use lanchester::mechanism::{LoadRequest, Loads, loads};
 use lanchester::model::Engine;
-use lanchester::report::{consequence_words, durability_text, headline, robust_text};
+use lanchester::report::{consequence_words, durability_text, headline, moved_words, robust_text};
 use lanchester::task::{
     BalanceTask, ChangedTask, CrankWeightPlaces, FreeShaft, FreeWeight, Place, RoomFault, Seat, TaskOptions,
     crank_weights, default_task, option,
@@ -295,6 +295,12 @@ fn balanced(asker: &Asker, question: BalanceQuestion) -> Result<BalanceAnswer, P
     let best = match &durable {
         Some(durable) if durable.is_moved() => durable.engine(&engine, &answer),
         _ => fitted(&engine, &answer),
+    };
+    let (headline, answer) = match &durable {
+        Some(found) if found.is_moved() => {
+            (format!("{headline} {}", moved_words(found)), found.answer(&answer))
+        }
+        _ => (headline, answer),
     };
     let durability = durable.map(|found| durability_text(&engine, &found));
     let after = loads(&best, &LoadRequest::default()).map_err(Problem::refused)?;

@@ -1,6 +1,6 @@
 //! What the search answers: plain data in SI units.
 
-use crate::answer::{Answer, FoundWeight};
+use crate::answer::{Answer, Effect, FoundWeight};
 use crate::durable::moved::moved;
 use crate::fitted::fitted;
 use crate::settings::StopCause;
@@ -43,6 +43,8 @@ pub struct Durable {
     pub stages: Vec<DurableStage>,
     /// The weights, moved or as the optimum has them.
     pub weights: Vec<FoundWeight>,
+    /// Criteria before and after with the moved weights, as [`Answer::effects`] has them at the optimum; empty where none was moved.
+    pub effects: Vec<Effect>,
 }
 
 /// A film or safety before, at the optimum and after.
@@ -129,6 +131,7 @@ impl Durable {
             evaluations: 0,
             stages: Vec::new(),
             weights: answer.weights.clone(),
+            effects: Vec::new(),
         };
         found.judge(wish);
         found
@@ -169,6 +172,16 @@ impl Durable {
     /// Whether all that must hold does.
     pub fn is_met(&self) -> bool {
         self.limits.iter().all(|limit| limit.is_met == Some(true))
+    }
+
+    /// The answer with these weights and what they do: its stages, with their proof, stay those of the optimum.
+    pub fn answer(&self, answer: &Answer) -> Answer {
+        let mut moved = answer.clone();
+        if self.is_moved() {
+            moved.weights.clone_from(&self.weights);
+            moved.effects.clone_from(&self.effects);
+        }
+        moved
     }
 
     /// The engine with these weights.

@@ -1,6 +1,6 @@
 //! The search: all directions by turns, both ways, and along the slope that they show, with steps that shrink.
 
-use crate::answer::Answer;
+use crate::answer::{Answer, Effect};
 use crate::durable::answer::DurableStage;
 use crate::durable::merit::{Aim, Wanted, soft_smallest};
 use crate::durable::moved::moved;
@@ -282,11 +282,28 @@ impl<'a> Climb<'a> {
             .collect()
     }
 
+    /// What the answer tells before and after, with moved weights.
+    pub fn effects(&self, unbalances: &[Complex64]) -> Result<Vec<Effect>, BalanceError> {
+        let told = self.answer.effects.iter().map(|effect| effect.criterion).collect();
+        let values = self.values_of(told, unbalances)?;
+        let of = |effect: &Effect| values.iter().find(|own| own.0 == effect.criterion).map(|own| own.1);
+        let effects = &self.answer.effects;
+        Ok(effects.iter().map(|own| Effect { after: of(own).unwrap_or(own.after), ..*own }).collect())
+    }
+
     /// Criteria of the task with moved weights.
     fn values(&self, unbalances: &[Complex64]) -> Result<Vec<(Criterion, f64)>, BalanceError> {
+        self.values_of(asked(&self.answer.task), unbalances)
+    }
+
+    /// Criteria with moved weights.
+    fn values_of(
+        &self,
+        asked: Vec<Criterion>,
+        unbalances: &[Complex64],
+    ) -> Result<Vec<(Criterion, f64)>, BalanceError> {
         let (task, answer) = (&self.answer.task, self.answer);
         let engine = fitted(self.engine, &moved(answer, unbalances));
-        let asked = asked(task);
         let (of_weights, of_loads): (Vec<Criterion>, Vec<Criterion>) =
             asked.into_iter().partition(|criterion| {
                 matches!(criterion, Criterion::AddedMass | Criterion::AddedUnbalance | Criterion::Cost)

@@ -112,6 +112,7 @@ pub fn durable(
         return Ok(found);
     }
     found.stages = climb.stages(&unbalances)?;
+    found.effects = climb.effects(&unbalances)?;
     found.take(task, unbalances);
     let after = found.engine(engine, answer);
     let measured = measure(&after);

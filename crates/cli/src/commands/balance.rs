@@ -116,6 +116,7 @@ pub fn run(arguments: &BalanceArguments, colour: bool) -> Result<u8, Failure> {
         Some(durable) if durable.is_moved() => durable.engine(engine, &answer),
         _ => fitted(engine, &answer),
     };
+    let shown = durable.as_ref().map_or_else(|| answer.clone(), |found| found.answer(&answer));
     let status = match &durable {
         Some(durable) if !durable.is_met() => NOT_AS_EXPECTED,
         _ => status(&answer),
@@ -129,7 +130,7 @@ pub fn run(arguments: &BalanceArguments, colour: bool) -> Result<u8, Failure> {
         && found
     {
         let before = loads_of(engine)?;
-        let of_answer = optimum_figures(engine, &answer, &before, &after, &loads_after);
+        let of_answer = optimum_figures(engine, &shown, &before, &after, &loads_after);
         let of_effect = effect.as_ref().map(|effect| consequence_figures(&after, effect));
         let all = of_answer.into_iter().chain(of_effect.into_iter().flatten());
         for figure in all.chain(sweep::curve(&after, &answer)) {
@@ -142,17 +143,18 @@ pub fn run(arguments: &BalanceArguments, colour: bool) -> Result<u8, Failure> {
     if status != DONE && arguments.format != Format::Text {
         tell(headline(engine, &answer));
     }
-    let as_parts = if found { as_parts(&answer, &after, &opened.file.tasks) } else { Vec::new() };
+    let as_parts = if found { as_parts(&shown, &after, &opened.file.tasks) } else { Vec::new() };
     print(&match (arguments.format, arguments.table) {
         (Format::Text, _) => {
             let whole = || {
-                let text = balance_text(engine, &answer, effect.as_ref(), &loads_after.diagnosis.summary);
+                let left = &loads_after.diagnosis.summary;
+                let text = balance_text(engine, &answer, durable.as_ref(), effect.as_ref(), left);
                 let films = durable.as_ref().map_or_else(String::new, |found| durability_text(engine, found));
                 let films = if films.is_empty() { films } else { format!("\n{films}") };
                 text + &masses(&as_parts).map_or(String::new(), |table| format!("\n{}", table.text()))
                     + &films
             };
-            arguments.printed.text(whole, || balance_brief(engine, &answer))
+            arguments.printed.text(whole, || balance_brief(engine, &answer, durable.as_ref()))
         }
         (Format::Json, _) => {
             let durability = durable.as_ref();
@@ -162,7 +164,7 @@ pub fn run(arguments: &BalanceArguments, colour: bool) -> Result<u8, Failure> {
             let table = durable.as_ref().map_or_else(String::new, |found| durability_table(found).csv());
             arguments.printed.csv(table)
         }
-        (Format::Csv, table) => arguments.printed.csv(csv(engine, &answer, effect.as_ref(), table)),
+        (Format::Csv, table) => arguments.printed.csv(csv(engine, &shown, effect.as_ref(), table)),
     })?;
     Ok(status)
 }

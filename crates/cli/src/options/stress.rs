@@ -67,7 +67,7 @@ pub enum StressCommand {
     /// Strength by the formulas of IACS UR M53, throw by throw: fillets and oil bores with their safety; exit status 1 where it is below 1.15.
     #[command(
         after_help = "Examples:\n  lanchester stress rule four.toml\n  lanchester stress rule four.toml --speed '6000 rpm' --torsional-vibration '150 N m'\n  \
-                            lanchester stress rule four.toml --with-torsion\n  lanchester stress rule four.toml --finite-elements\n  lanchester stress rule four.toml --torsional-vibration '90 N m, 110 N m, 130 N m, 140 N m' --format csv > rule.csv\n\n\
+                            lanchester stress rule four.toml --without-torsion\n  lanchester stress rule four.toml --finite-elements\n  lanchester stress rule four.toml --torsional-vibration '90 N m, 110 N m, 130 N m, 140 N m' --format csv > rule.csv\n\n\
                             Formulas after UR M53, not compared with the printed rule. Every ratio is held to the range of the formulas."
     )]
     Rule(RuleArguments),
@@ -330,9 +330,9 @@ pub struct CycleArguments {
     /// Natural modes of the free crankshaft that are kept, beside the static shapes of all bearings.
     #[arg(long, value_name = "N", default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..=200))]
     pub modes: u32,
-    /// Damping of every mode over the critical one.
-    #[arg(long, value_name = "SHARE", default_value = "0.01")]
-    pub damping: f64,
+    /// Damping of every mode over the critical one; default: what the crankshaft's material says, else 0.01.
+    #[arg(long, value_name = "SHARE")]
+    pub damping: Option<f64>,
     /// Instants of a revolution, a multiple of 8.
     #[arg(long, value_name = "N", default_value_t = 360, value_parser = clap::value_parser!(u32).range(32..=3600))]
     pub instants: u32,
@@ -387,12 +387,15 @@ pub struct RuleArguments {
     #[arg(long, value_name = "SPEED")]
     pub speed: Vec<String>,
     /// Amplitude of the torque that torsional vibration adds to that of a rigid crankshaft: one for all throws, or one for each from the free
-    /// end on, parted by commas.
+    /// end on, parted by commas. Default: that of the engine's own chain, as `torsion` has it.
     #[arg(long, value_name = "TORQUE")]
     pub torsional_vibration: Option<String>,
-    /// Take the torsional vibration from the chain of `torsion` at each speed. Needs what `torsion` needs.
+    /// Refuse a file without the data of `torsion`, whose chain gives the torsional vibration at each speed; by default the sheet then leaves it out and says so.
     #[arg(long, conflicts_with = "torsional_vibration")]
     pub with_torsion: bool,
+    /// Leave torsional vibration out.
+    #[arg(long, conflicts_with_all = ["torsional_vibration", "with_torsion"])]
+    pub without_torsion: bool,
     /// Stress concentration factors by finite elements beside those of the formulas: each throw that is not like another meshed and solved, about a minute and 4 to 6 GiB each.
     #[arg(long)]
     pub finite_elements: bool,

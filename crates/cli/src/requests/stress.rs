@@ -87,9 +87,9 @@ pub fn cycle_request(own: &CycleArguments, file: &EngineFile) -> Result<CycleReq
             "360 are one a degree",
         ));
     }
-    if !(0.0..1.0).contains(&own.damping) {
+    if let Some(damping) = own.damping.filter(|damping| !(0.0..1.0).contains(damping)) {
         return Err(Failure::input(
-            format_args!("--damping needs a share from 0 to below 1, got {}", own.damping),
+            format_args!("--damping needs a share from 0 to below 1, got {damping}"),
             "crankshafts of steel have 0.005 to 0.02",
         ));
     }
@@ -108,9 +108,10 @@ pub fn cycle_request(own: &CycleArguments, file: &EngineFile) -> Result<CycleReq
         gas: !own.inertia_only,
         basis: BasisOptions {
             modes: own.modes as usize,
-            damping: own.damping,
             memory: memory(&own.mesh.memory)?,
+            ..BasisOptions::default()
         },
+        damping: own.damping,
         instants: own.instants as usize,
         most_cycles: own.cycles as usize,
     })

@@ -16,17 +16,21 @@
 //! natural frequency of heavy parts: where what is left does not halve, this must. The motion by the masses' own inertia goes with m itself: there D is taken for
 //! each kilogram. With gas the mean torque is taken by a load on the block, so that it does not lean. The gas does not halve with the masses, and on soft mounts it
 //! turns the block so far that the linear response is off by that alone (4); on stiff ones what is left is below the error of the runs. Its ratio is held for as
-//! much of the gas as moves the block by [`SMALL`], and what the rest of it adds stands beside.
+//! much of the gas as moves the block by [`SMALL`], and what the rest of it adds stands beside. Mounts with a loss factor or a table over frequency are Maxwell chains
+//! in both: the linear response takes the complex stiffness of the chains at its orders, so that what they are off the file's is no difference here.
 
 use crate::crosscheck::pair::{CrossCheckError, Pair};
 use crate::inertias::{rotating_bodies, rotor_inertia};
 use crate::pressure::simulated::GivenGas;
+use crate::simulation::mount_chains::{chain_band, fit_mounts, with_chains};
 use lanchester_mechanism::{
     GasTrain, Lever, MountSystem, OrderResponse, RotorEffects, inertia_excitations, merged_orders,
     rotor_inertia_about_z,
 };
 use lanchester_model::{Block, Engine, EngineParts, MovingParts};
-use lanchester_multibody::{BlockMotion, GasPressure, Load, LoadLaw, Motion, ReactsOn, Simulation, Train};
+use lanchester_multibody::{
+    BlockMotion, GasPressure, Load, LoadLaw, Motion, MultibodyError, ReactsOn, Simulation, Train,
+};
 use lanchester_report::{CrossRow, CrossVerdict};
 use lanchester_results::OrderLoads;
 use lanchester_results::amplitude;
@@ -90,9 +94,15 @@ fn cannot_move(pair: &Pair<'_>) -> Option<String> {
     if let Some(reason) = &pair.train.fixed_because {
         return Some(reason.clone());
     }
-    let mount = pair.train.mounts.iter().find(|mount| mount.frequency_dependent)?;
-    let reason = "has a loss factor or a table over frequency, which has no exact form in time";
-    Some(format!("mount `{}` {reason}", mount.name))
+    train_on_mounts(pair, pair.engine).err().map(|error| error.to_string())
+}
+
+/// The crank train of `engine`, mounts with a loss factor or a table over frequency by their chains.
+fn train_on_mounts(pair: &Pair<'_>, engine: &Engine) -> Result<Train, MultibodyError> {
+    let mut train = Train::new(engine, &rotor_inertia(engine))?;
+    let band = chain_band(engine, &train, &[pair.speed]);
+    fit_mounts(&mut train, band)?;
+    Ok(train)
 }
 
 /// Rows of condition C, or why it does not apply.
@@ -386,7 +396,7 @@ impl GasPressure for Share<'_> {
 
 /// The periodic motion of the simulation by order; `None` where there is none.
 fn simulated(pair: &Pair<'_>, engine: &Engine, run: Run) -> Result<Option<Orders>, CrossCheckError> {
-    let train = Train::new(engine, &rotor_inertia(engine))?;
+    let train = train_on_mounts(pair, engine)?;
     let mut simulation = match run {
         Run::Free => Simulation::free(pair.speed, 1.0),
         _ => Simulation::imposed(pair.speed, 1.0),
@@ -443,6 +453,17 @@ fn linear(
     share: f64,
 ) -> Result<Option<Orders>, CrossCheckError> {
     let about_z = rotor_inertia_about_z(&rotating_bodies(engine));
+    let listed =
+        || (1..=ORDERS * pair.train.revolutions).map(|k| f64::from(k) / f64::from(pair.train.revolutions));
+    let chained;
+    let engine = if pair.train.mounts.iter().any(|mount| mount.frequency_dependent) {
+        // The same chains as in the run, at the frequencies of its orders.
+        let frequencies: Vec<f64> = listed().map(|order| order * pair.speed).collect();
+        chained = with_chains(engine, &train_on_mounts(pair, engine)?, &frequencies);
+        &chained
+    } else {
+        engine
+    };
     let (Ok(system), Ok(mut excitations)) =
         (MountSystem::new(engine), inertia_excitations(engine, &[pair.speed], ORDERS))
     else {
@@ -456,15 +477,14 @@ fn linear(
     let system = system.with_rotors(about_z).with_effects(effects);
     let Ok(response) = system.response(&excitations) else { return Ok(None) };
     let mounts = engine.mounts.len();
-    let all = |k: u32| {
-        let order = f64::from(k) / f64::from(pair.train.revolutions);
+    let all = |order: f64| {
         let own = response.speeds[0].orders.iter().find(|own| (own.order - order).abs() < 1e-9);
         let of = |own: &OrderResponse| -> Vec<Complex64> {
             own.motion.iter().chain(own.forces.iter().flatten()).copied().collect()
         };
         (order, own.map_or_else(|| vec![Complex64::ZERO; 6 + 3 * mounts], of))
     };
-    Ok(Some((1..=ORDERS * pair.train.revolutions).map(all).collect()))
+    Ok(Some(listed().map(all).collect()))
 }
 
 /// Loads of one order times a factor.

@@ -1,6 +1,7 @@
 //! What a run is asked, from the request, the engine file and defaults, in this order.
 
 use crate::simulation::crank_bodies::crank_bodies;
+use crate::simulation::mount_chains::{chain_band, fit_mounts};
 use lanchester_model::{
     Action, BlockKind, Engine, ImposedAgainst, NamedPoint, RodGuidance, RunLength, SimulationInput,
     SpeedKind, StartOfBlock, When,
@@ -172,7 +173,7 @@ pub(crate) fn plan(
     let wanted = request.on_mounts.or(input.block.map(|block| block == BlockKind::Mounts));
     let fitted = match wanted {
         Some(false) => Ok(None),
-        _ => fit_mounts(engine, train, &simulation, input.governor.map(|governor| governor.speed)),
+        _ => fit_mounts(train, chain_band(engine, train, &speeds(&simulation, input))),
     };
     let can_move = train.fixed_because.is_none() && fitted.is_ok();
     if wanted.unwrap_or(can_move) {
@@ -229,59 +230,14 @@ fn sample_step(asked: f64, simulation: &Simulation, highest: f64, notes: &mut Ve
     (asked / parts, parts as usize)
 }
 
-/// Largest error of a fit of mounts that a run is made with.
-const MOST_MISFIT: f64 = 0.1;
-
-/// Highest order of the band over which mounts are fitted.
-const FITTED_ORDER: f64 = 4.0;
-
-/// Fits Maxwell chains to mounts with loss factors or tables over frequency, and says over which band and how well.
-fn fit_mounts(
-    engine: &Engine,
-    train: &mut Train,
-    simulation: &Simulation,
-    governed: Option<f64>,
-) -> Result<Option<String>, MultibodyError> {
-    if train.mounts.iter().all(|mount| !mount.frequency_dependent) {
-        return Ok(None);
-    }
+/// Speeds that a run is known to have [rad/s].
+fn speeds(simulation: &Simulation, input: &SimulationInput) -> Vec<f64> {
     let mut speeds: Vec<f64> = match &simulation.drive {
         Drive::Imposed { profile, .. } => profile.iter().map(|point| point[1]).collect(),
         Drive::Free => vec![simulation.start_speed],
     };
-    speeds.extend(governed);
-    speeds.retain(|speed| *speed > 0.0);
-    if speeds.is_empty() {
-        speeds = vec![engine.speed.lowest, engine.speed.highest];
-    }
-    let lowest_order = if engine.gas.is_some() { 1.0 / f64::from(train.strokes) } else { 1.0 };
-    let low = lowest_order * speeds.iter().copied().fold(f64::INFINITY, f64::min);
-    let high = FITTED_ORDER * speeds.iter().copied().fold(0.0, f64::max);
-    let mut names = Vec::new();
-    let mut most: f64 = 0.0;
-    for mount in train.mounts.iter_mut().filter(|mount| mount.frequency_dependent) {
-        let error = mount.fit([low, high]);
-        most = most.max(error);
-        names.push(mount.name.clone());
-        if error > MOST_MISFIT {
-            return Err(MultibodyError::NoMounts {
-                missing: format!(
-                    "springs and dashpots come no closer than {:.0} % to the loss factor or table of mount `{}` between {:.1} and {:.1} Hz, where 10 % is allowed: it needs its `damping` instead",
-                    100.0 * error,
-                    mount.name,
-                    low / TAU,
-                    high / TAU
-                ),
-            });
-        }
-    }
-    Ok(Some(format!(
-        "Loss factors and tables of {} are Maxwell chains, fitted from {:.1} to {:.1} Hz: at most {:.1} % off.",
-        names.join(", "),
-        low / TAU,
-        high / TAU,
-        100.0 * most
-    )))
+    speeds.extend(input.governor.map(|governor| governor.speed));
+    speeds
 }
 
 /// Keys that the file gives and this run has no use for.

@@ -12,7 +12,7 @@ use crate::pressure::measured::TraceFile;
 use crate::stress::request::{StressError, StressStage};
 use crate::stress::run::{check_crankshaft, sheet};
 use free::{free_start, run_law};
-use lanchester_flex::train::{CycleOptions, CycleState, crank_basis};
+use lanchester_flex::train::{BasisOptions, CycleOptions, CycleState, crank_basis};
 use lanchester_mechanism::{BearingPart, BearingRequest, bearing_loads};
 use lanchester_model::Engine;
 use lanchester_report::{CRANK_CYCLE_VERSION, CrankCycle, CrankKind, CycleLaw, CycleRun};
@@ -78,7 +78,8 @@ pub fn crank_cycle(
     let sheet = sheet(engine, &request.mesh, &mesh_watch)?;
     let surfaces: Vec<_> = places.iter().map(|own| own.surface.clone()).collect();
     let estimate = |estimate: &_| mesh_watch(StressStage::Factoring(*estimate));
-    let basis = crank_basis(&sheet.crank, &surfaces, request.basis, &estimate)?;
+    let basis = BasisOptions { damping: request::damping(request, engine).0, ..request.basis };
+    let basis = crank_basis(&sheet.crank, &surfaces, basis, &estimate)?;
     watch(CycleStage::Reduced(basis.body.size(), basis.stress.nodes()));
     let turns = (loads.period / TAU).round().max(1.0) as usize;
     let options = CycleOptions {
@@ -162,10 +163,11 @@ pub fn crank_cycle(
 
 /// What the model leaves out.
 fn left_out(engine: &Engine, request: &CycleRequest, unmeshed: &[String]) -> Vec<String> {
+    let (damping, source) = request::damping(request, engine);
     let mut notes = vec![format!(
         "Left out: gravity, friction couples, tilt and axial motion of rods, motion of the crankshaft along its axis, stiffening by centrifugal stress, tilt of journals in the law of \
-         the film, deformation of shells and block. Material: {} % of critical damping in every mode.",
-        100.0 * request.basis.damping
+         the film, deformation of shells and block. Material: {} % of critical damping in every mode, {source}.",
+        100.0 * damping
     )];
     let own = |weight: &&lanchester_model::Counterweight| {
         weight.crankshaft == request.mesh.crankshaft && weight.part.is_none() && weight.unbalance > 0.0

@@ -65,6 +65,31 @@ pub fn crank_rule_with_torsion(
     Ok(whole)
 }
 
+/// The sheet of a crankshaft: with the torsional vibration that `request` gives, else with that of the engine's own chain, else, where the file says too little for
+/// the chain, without any, and with a note that says why.
+///
+/// # Errors
+/// [`CrankRuleError`] where the file says too little for the sheet.
+pub fn crank_rule_of_file(
+    file: &EngineFile,
+    traces: &[TraceFile],
+    request: &RuleRequest,
+) -> Result<CrankRule, CrankRuleError> {
+    if !request.vibration.is_empty() {
+        return crank_rule(&file.engine, traces, request);
+    }
+    match crank_rule_with_torsion(file, traces, request) {
+        Ok(sheet) => Ok(sheet),
+        Err(RuleTorsionError::Rule(error)) => Err(error),
+        Err(RuleTorsionError::Torsion(error)) => {
+            let mut sheet = crank_rule(&file.engine, traces, request)?;
+            let reason = error.to_string().replace("\nhint:", ";");
+            sheet.notes.push(format!("The engine has no torsional chain of its own: {reason}."));
+            Ok(sheet)
+        }
+    }
+}
+
 /// What the shafts beside a throw carry beyond these torques in front and behind [N m], at the middle speed.
 fn beyond_rigid(found: &TorsionResult, throw: usize, rigid: [f64; 2]) -> f64 {
     let chain = &found.crank.chain;

@@ -133,6 +133,30 @@ fn xcheck_moving_block() {
     assert!(condition.rows[place + 1..].iter().any(|row| half(&row) && row.quantity.ends_with("with gas")));
 }
 
+/// Rubber by its chains in both computations: what is left of the linear response is that of the moving masses alone, and halves with them.
+#[test]
+fn xcheck_moving_block_on_mounts_with_loss_factors_and_tables() {
+    let (engine, traces) =
+        examples().into_iter().find(|(engine, _)| engine.block.is_some() && engine.gas.is_some()).unwrap();
+    assert!(engine.mounts.iter().flat_map(|mount| &mount.spring).any(|spring| !spring.table.is_empty()));
+    let ask = |speed: f64| CrossCheckRequest {
+        speed: Some(speed),
+        conditions: vec![Condition::MovingBlock],
+        ..CrossCheckRequest::default()
+    };
+    let engine = turning(&engine, 0.3);
+    let check = crosscheck(&engine, &traces, &ask(314.0)).unwrap();
+    let condition = &check.conditions[0];
+    assert_eq!(condition.not_applicable, None);
+    let held: Vec<_> = condition.rows.iter().filter(|row| row.bar.is_some()).collect();
+    assert_eq!(held.len(), 2);
+    assert!(held.iter().all(|row| row.verdict == CrossVerdict::Agrees), "{held:?}");
+    // Where no chain comes close enough, nothing is compared, and the reason names the mount.
+    let check = crosscheck(&engine, &traces, &ask(84.0)).unwrap();
+    let reason = check.conditions[0].not_applicable.as_ref().expect("a hydraulic mount at idle");
+    assert!(reason.contains("engine side") && reason.contains("%"), "{reason}");
+}
+
 /// The generator set of the examples has all that the four conditions need. What the free speed changes is what its first-order estimate says, but for the square
 /// of the fluctuation; what both causes leave of condition D is small beside them.
 #[test]

@@ -3,6 +3,7 @@
 //! The rigid runs of Louvigny and others (2009): three revolutions of a single at an imposed 4000 rpm, simulated, against what the paper prints.
 
 use lanchester::file::{EngineFile, read};
+use lanchester::model::RunLength;
 use lanchester::multibody::RunOutcome;
 use lanchester::report::SimulationResult;
 use lanchester::{SimulateRequest, TraceFile, simulate};
@@ -172,4 +173,28 @@ fn the_fuel_of_a_period_is_found_again() {
     // A governed engine does not tell how much it burns.
     let governed = text.to_owned() + "\n[governor]\nspeed = \"2000 rpm\"\ngain = \"0.02 1/rpm\"\n";
     assert_eq!(run_of(&file_of(&governed)).heat, None);
+}
+
+/// On mounts with a loss factor the block rests where the same springs without one hold it, whatever the loss factor, and swings about that place.
+#[test]
+fn a_block_on_mounts_with_a_loss_factor_rests_where_their_static_stiffness_holds_it() {
+    let text = include_str!("../../../../examples/generator-set-3.toml");
+    let rest = |damping: &str| {
+        let text = text.replace("damping = \"250 N s/m\"", damping);
+        assert_eq!(text.matches(damping).count(), 4, "each of its four mounts");
+        let file = read(&text).file.unwrap();
+        let request = SimulateRequest {
+            speed: Some(1500.0 * PI / 30.0),
+            length: Some(RunLength::Revolutions(1.0)),
+            ..SimulateRequest::default()
+        };
+        simulate(&file, &[], &request).unwrap().run.samples.position[0][0]
+    };
+    let wanted = rest("damping = \"250 N s/m\"");
+    // 3.3 mm: the weight over the sum of the stiffnesses.
+    assert!((wanted + 3.327e-3).abs() < 1e-5, "{wanted}");
+    for loss in ["0.02", "0.08", "0.12", "0.15"] {
+        let found = rest(&format!("loss_factor = {loss}"));
+        assert!((found / wanted - 1.0).abs() < 1e-9, "loss factor {loss}: {found} {wanted}");
+    }
 }

@@ -149,7 +149,11 @@ fn read_balance(options: &Options<'_>) -> Result<Run, Failure> {
                 let effect = consequences(engine, &after, Some(&found.answer.task));
                 found.consequences = Some(effect.map_err(Failure::refused)?);
             }
-            match weights_as_parts(&found.answer, &after, &own.file.tasks) {
+            let shown = found
+                .durability
+                .as_ref()
+                .map_or_else(|| found.answer.clone(), |own| own.answer(&found.answer));
+            match weights_as_parts(&shown, &after, &own.file.tasks) {
                 Ok(parts) => found.as_parts = parts,
                 Err(error) => {
                     let message = error.to_string().replace("\nhint:", ";");
@@ -165,7 +169,9 @@ fn read_balance(options: &Options<'_>) -> Result<Run, Failure> {
 
 fn text(found: &Balance, engine: &Engine) -> String {
     let summary = loads(&found.after(engine), &LoadRequest::default()).map(|loads| loads.diagnosis.summary);
-    let text = balance_text(engine, &found.answer, found.consequences.as_ref(), &summary.unwrap_or_default());
+    let left = summary.unwrap_or_default();
+    let durable = found.durability.as_ref();
+    let text = balance_text(engine, &found.answer, durable, found.consequences.as_ref(), &left);
     match &found.durability {
         Some(durable) => format!("{text}\n{}", durability_text(engine, durable)),
         None => text,
@@ -173,7 +179,8 @@ fn text(found: &Balance, engine: &Engine) -> String {
 }
 
 fn tables(found: &Balance, engine: &Engine) -> Vec<Table> {
-    let answer = &found.answer;
+    let durable = found.durability.as_ref();
+    let answer = &durable.map_or_else(|| found.answer.clone(), |own| own.answer(&found.answer));
     let mut tables = vec![found_weights_table(answer)];
     tables.extend(found_shafts_table(answer));
     tables.extend(found_inertias_table(answer));

@@ -19,7 +19,8 @@ use lanchester::report::{
 use lanchester::{
     CounterweightCheck, CounterweightDesigns, CounterweightRequest, FatigueRequest, ModesRequest,
     RuleRequest, StaticRequest, StressLoad, StressMesh, SubmodelRequest, check_counterweights, crank_fatigue,
-    crank_modes, crank_rule, design_counterweights, static_stress, with_counterweights, with_element_factors,
+    crank_modes, crank_rule_of_file, design_counterweights, static_stress, with_counterweights,
+    with_element_factors,
 };
 use std::sync::Arc;
 
@@ -318,7 +319,7 @@ fn read_rule(options: &Options<'_>) -> Result<Run, Failure> {
         let own = &engines[0];
         crankshaft_of(own, request.crankshaft)?;
         let traces = if request.gas { own.traces()? } else { &[] };
-        let found = crank_rule(own.engine(), traces, &request).map_err(Failure::refused)?;
+        let found = crank_rule_of_file(&own.file, traces, &request).map_err(Failure::refused)?;
         let found = match by_elements {
             true => {
                 with_element_factors(own.engine(), found, &mesh.of(own, 6)?, SolveOptions::default(), &|_| ())

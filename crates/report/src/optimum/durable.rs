@@ -48,6 +48,17 @@ pub fn durability_table(durable: &Durable) -> Table {
     Table::of_columns("durability", "Films and safeties", note, columns)
 }
 
+/// Which weights are told and written where a search moved them; empty where none did.
+pub fn moved_words(durable: &Durable) -> &'static str {
+    match durable.is_moved() {
+        true => {
+            "That is the proved optimum. For films and safeties a local search then moved its weights: the weights, what they do and what is written are those \
+             of the search."
+        }
+        false => "",
+    }
+}
+
 /// The weights of a search; `None` where none was moved.
 pub fn durable_weights_table(engine: &Engine, durable: &Durable) -> Option<Table> {
     if !durable.is_moved() {

@@ -6,6 +6,7 @@ use crate::kit::rounding::clean;
 use crate::optimum::before_after::before_and_after_table;
 use crate::optimum::cancellation::{cancellation_headline, cancellation_proof_table, cancelled_orders_table};
 use crate::optimum::consequence_text::consequence_words;
+use crate::optimum::durable::moved_words;
 use crate::optimum::effect_noise::effect_noise;
 use crate::optimum::give_up::give_up_words;
 use crate::optimum::tables::{
@@ -13,17 +14,19 @@ use crate::optimum::tables::{
     stages_table, web_bounds_table,
 };
 use lanchester_balance::{
-    Answer, BalanceSettings, Consequences, FoundStage, JudgedSpeeds, Method, Outcome, SearchState,
+    Answer, BalanceSettings, Consequences, Durable, FoundStage, JudgedSpeeds, Method, Outcome, SearchState,
 };
 use lanchester_model::Engine;
 use lanchester_task::{Criterion, criterion_name, criterion_unit};
 use std::fmt::Write;
 
 /// What was found, its proof, its price and its effect, as aligned plain text without colour; `left` is the diagnosis
-/// of the engine with the answer fitted, `consequences` what the answer does to it.
+/// of the engine with the answer fitted, `consequences` what the answer does to it. Where `durable` moved the weights, they and what they do are told, and
+/// the sentence and the proof of the optimum that they were moved from.
 pub fn balance_text(
     engine: &Engine,
     answer: &Answer,
+    durable: Option<&Durable>,
     consequences: Option<&Consequences>,
     left: &str,
 ) -> String {
@@ -35,6 +38,12 @@ pub fn balance_text(
     let _ = writeln!(out, "{} at {rpm} rpm, where {of} are largest", answer.engine);
     let _ = writeln!(out, "{}\n", method_words(answer));
     push_wrapped(&mut out, "", &headline(engine, answer));
+    let moved = durable.filter(|found| found.is_moved()).map(|found| found.answer(answer));
+    durable
+        .map(moved_words)
+        .filter(|words| !words.is_empty())
+        .into_iter()
+        .for_each(|words| push_wrapped(&mut out, "", words));
     let equals = equals_words(engine, answer);
     let effects = consequences.map_or_else(String::new, consequence_words);
     for words in [give_up_words(engine, answer), equals, effects].iter().filter(|words| !words.is_empty()) {
@@ -47,16 +56,17 @@ pub fn balance_text(
         return out;
     }
     let mut tables = Vec::new();
-    if !answer.weights.is_empty() {
-        tables.push(found_weights_table(answer));
-        tables.extend(web_bounds_table(answer));
+    let shown = moved.as_ref().unwrap_or(answer);
+    if !shown.weights.is_empty() {
+        tables.push(found_weights_table(shown));
+        tables.extend(web_bounds_table(shown));
     }
     tables.extend(found_shafts_table(answer));
     tables.extend(found_inertias_table(answer));
     if let Some(cancellation) = &answer.cancellation {
         tables.push(cancelled_orders_table(engine, cancellation));
     }
-    tables.extend(before_and_after_table(engine, answer, consequences));
+    tables.extend(before_and_after_table(engine, shown, consequences));
     match &answer.cancellation {
         Some(cancellation) => tables.extend(cancellation_proof_table(engine, cancellation)),
         None if !answer.stages.is_empty() => tables.push(stages_table(engine, answer)),

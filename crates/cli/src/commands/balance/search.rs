@@ -162,7 +162,13 @@ fn one(
     print(&match arguments.format {
         Format::Text => {
             let mut out = format!("{}: {} ({})\n\n", found.engine, chosen.name, chosen.label);
-            out += &balance_text(&bare, &chosen.answer, Some(&effect), &loads_of(&after)?.diagnosis.summary);
+            out += &balance_text(
+                &bare,
+                &chosen.answer,
+                None,
+                Some(&effect),
+                &loads_of(&after)?.diagnosis.summary,
+            );
             for table in arrangement_parts(chosen) {
                 out += &format!("\n{}", table.text());
             }

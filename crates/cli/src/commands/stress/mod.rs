@@ -28,8 +28,9 @@ use lanchester::report::{
 };
 use lanchester::{
     ModesRequest, StaticRequest, SubmodelRequest, case_deck, case_glb, case_stl, case_vtu, cases_pvd,
-    converged_modes, converged_stress, crank_fatigue, crank_modes, crank_rule, crank_rule_with_torsion,
-    modes_deck, modes_glb, modes_vtu, reduced_crank, solve_deck, static_stress, with_element_factors,
+    converged_modes, converged_stress, crank_fatigue, crank_modes, crank_rule, crank_rule_of_file,
+    crank_rule_with_torsion, modes_deck, modes_glb, modes_vtu, reduced_crank, solve_deck, static_stress,
+    with_element_factors,
 };
 use std::path::Path;
 
@@ -241,9 +242,10 @@ fn rule(arguments: &RuleArguments, colour: bool) -> Result<u8, Failure> {
     let opened = open(&arguments.file, colour)?;
     let engine = &opened.file.engine;
     let traces = if request.gas { trace_files(engine, &arguments.file)? } else { Vec::new() };
-    let found = match arguments.with_torsion {
-        true => crank_rule_with_torsion(&opened.file, &traces, &request).map_err(Failure::refused)?,
-        false => crank_rule(engine, &traces, &request).map_err(Failure::refused)?,
+    let found = match (arguments.with_torsion, arguments.without_torsion) {
+        (true, _) => crank_rule_with_torsion(&opened.file, &traces, &request).map_err(Failure::refused)?,
+        (_, true) => crank_rule(engine, &traces, &request).map_err(Failure::refused)?,
+        _ => crank_rule_of_file(&opened.file, &traces, &request).map_err(Failure::refused)?,
     };
     let found = match arguments.finite_elements {
         true => {

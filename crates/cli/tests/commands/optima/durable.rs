@@ -39,6 +39,38 @@ fn balance_tells_films_and_moves_weights_for_them() {
     assert!(csv.starts_with("film or safety") && csv.contains("main-bearing film 3"), "{csv}");
 }
 
+/// Where the search moved weights, one crankshaft is told and written: the criteria after are those of the written file.
+#[test]
+fn what_is_told_after_a_search_is_what_is_written() {
+    let folder = folder("durable-written");
+    at_one_speed(&folder);
+    let asked = ["balance", "four.toml", "--maximise", "main-bearing film"];
+    let text = output(&folder, 0, &asked);
+    assert!(text.contains("those of the search"), "{text}");
+    let brief = output(&folder, 0, &[&asked[..], &["--brief"]].concat());
+    let json = output_json(&folder, 0, &[&asked[..], &["--format", "json"]].concat());
+    let effects = json.pointer("/durability/effects").and_then(Value::as_array).expect("weights were moved");
+    let largest = |effects: &[Value]| {
+        let own = effects.iter().find(|effect| effect.to_string().contains("largest-main-load")).unwrap();
+        number(own, "/after")
+    };
+    let moved = largest(effects);
+    assert!(
+        (moved / largest(json.pointer("/effects").and_then(Value::as_array).unwrap()) - 1.0).abs() > 1e-3
+    );
+    // The weights of both texts are those that are written.
+    let unbalance = number(&json, "/durability/weights/0/unbalance/0")
+        .hypot(number(&json, "/durability/weights/0/unbalance/1"));
+    let words = format!("{:.1}", 1e6 * unbalance);
+    let words = format!("{}\u{a0}{}", &words[..words.len() - 5], &words[words.len() - 5..]);
+    assert!(text.contains(&words) && brief.contains(&words), "{words} in\n{brief}");
+    output(&folder, 0, &[&asked[..], &["--write"]].concat());
+    let table = output_json(&folder, 0, &["balance", "four.toml", "--format", "json"]);
+    let before = table.pointer("/effects").and_then(Value::as_array).unwrap().iter();
+    let before = before.filter(|effect| effect.to_string().contains("largest-main-load")).collect::<Vec<_>>();
+    assert!((number(before[0], "/before") / moved - 1.0).abs() < 1e-6, "{before:?} {moved}");
+}
+
 #[test]
 fn what_is_asked_wrongly_is_refused_with_what_there_is() {
     let folder = folder("durable-refused");

@@ -2,6 +2,7 @@
 
 use crate::stress::mesh::StressMesh;
 use lanchester_flex::train::{BasisOptions, CycleOptions};
+use lanchester_model::Engine;
 use lanchester_report::{CycleLaw, CycleSpeed};
 
 /// What to compute.
@@ -19,8 +20,10 @@ pub struct CycleRequest {
     pub motion: CycleSpeed,
     /// Whether the gas of the file acts.
     pub gas: bool,
-    /// Modes and damping of the crankshaft.
+    /// Modes of the crankshaft; their damping is `damping`.
     pub basis: BasisOptions,
+    /// Damping of every mode as a share of critical damping; `None`: that of `[crank.material]`, 1 % where it gives none.
+    pub damping: Option<f64>,
     /// Instants of a revolution, a multiple of 8.
     pub instants: usize,
     /// Most cycles before an envelope is told.
@@ -38,8 +41,23 @@ impl Default for CycleRequest {
             motion: CycleSpeed::Constant,
             gas: true,
             basis: BasisOptions::default(),
+            damping: None,
             instants: 360,
             most_cycles: CycleOptions::default().most_cycles,
         }
+    }
+}
+
+/// Damping of every mode as a share of critical damping, and where it is from: what is asked, else what the material of the crankshaft says, else
+/// [`BasisOptions`]. A loss factor `eta` is at the frequency of a mode twice that share.
+pub(super) fn damping(request: &CycleRequest, engine: &Engine) -> (f64, &'static str) {
+    let material = engine.crank_material.as_ref();
+    let ratio = material.and_then(|material| material.damping_ratio);
+    let loss = material.and_then(|material| material.loss_factor);
+    match (request.damping, ratio, loss) {
+        (Some(asked), ..) => (asked, "as asked"),
+        (None, Some(ratio), _) => (ratio, "`damping_ratio` of the file"),
+        (None, None, Some(loss)) => (0.5 * loss, "half the `loss_factor` of the file"),
+        (None, None, None) => (request.basis.damping, "assumed"),
     }
 }
