@@ -105,13 +105,16 @@ pub struct CrankCase {
     pub displaced_at: [f64; 3],
     /// Peaks of all fillets, along z.
     pub peaks: Vec<SurfacePeak>,
-    /// Peaks of the surfaces of pins and journals, loaded ones too.
+    /// Peaks of the surfaces of pins and journals, loaded ones too; away from sharp corners.
     pub surfaces: Vec<SurfacePeak>,
-    /// Peaks of webs: within each the largest stress away from fillets.
+    /// Peaks of webs: within each the largest stress away from fillets and sharp corners.
     pub webs: Vec<SurfacePeak>,
     /// With rings: how they touch.
     pub contact: Option<ContactReport>,
 }
+
+/// How far from a sharp corner, over the radius of its pin or journal, a stress counts: nearer it grows with every refinement.
+const AWAY: f64 = 0.2;
 
 /// Stiffness that counts as rigid beside a crankshaft [N/m]: a thousand times that of a journal in its webs. Rounding of the mean displacement
 /// times it is the least residual that a solution can have.
@@ -404,6 +407,34 @@ fn surface_peaks(
         .collect()
 }
 
+/// Nodes of a bearing surface away from its ends, where one of its corners is sharp.
+fn away_from_ends(crank: &CrankMesh, set: &NodeSet) -> Vec<u32> {
+    let name = set.name.replace("PIN_", "pin ").replace("MAIN_", "journal ");
+    let name = format!("{name} at ");
+    let sharp = crank.corners.iter().filter(|corner| corner.is_sharp() && corner.name.starts_with(&name));
+    let Some(bar) = sharp.map(|corner| corner.bar).reduce(f64::max) else { return set.nodes.clone() };
+    let height = |node: &u32| crank.mesh.nodes[*node as usize][2];
+    let (low, high) = set
+        .nodes
+        .iter()
+        .map(height)
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), z| (low.min(z), high.max(z)));
+    let [low, high] = [low + AWAY * bar, high - AWAY * bar];
+    set.nodes.iter().copied().filter(|node| (low..=high).contains(&height(node))).collect()
+}
+
+/// Nodes of a web away from the pins and journals that end on it with a sharp corner.
+fn away_from_bars(crank: &CrankMesh, web: &str, nodes: &[u32]) -> Vec<u32> {
+    let end = format!(" at {web}");
+    let sharp = crank.corners.iter().filter(|corner| corner.is_sharp() && corner.name.ends_with(&end));
+    let bars: Vec<_> = sharp.collect();
+    let is_away = |node: &&u32| {
+        let [x, y, _] = crank.mesh.nodes[**node as usize];
+        bars.iter().all(|own| ((x - own.centre.x).hypot(y - own.centre.y) - own.bar).abs() >= AWAY * own.bar)
+    };
+    nodes.iter().filter(is_away).copied().collect()
+}
+
 /// Largest displacement and peaks of a solution.
 pub fn evaluate(crank: &CrankMesh, solution: StaticSolution) -> CrankCase {
     let mesh = &crank.mesh;
@@ -419,15 +450,21 @@ pub fn evaluate(crank: &CrankMesh, solution: StaticSolution) -> CrankCase {
     let corners = crank.corners.iter();
     surfaces.extend(corners.map(|own| (own.name.as_str(), &own.nodes[..], [own.centre.x, own.centre.y])));
     let is_bearing = |name: &str| name.starts_with("PIN_") || name.starts_with("MAIN_");
-    surfaces.extend(mesh.sets.iter().filter(|set| is_bearing(&set.name)).map(|set| {
-        let mean = |k: usize| {
-            let sum: f64 = set.nodes.iter().map(|node| mesh.nodes[*node as usize][k]).sum();
-            sum / set.nodes.len().max(1) as f64
-        };
-        (set.name.as_str(), &set.nodes[..], [mean(0), mean(1)])
-    }));
+    let bearings = mesh.sets.iter().filter(|set| is_bearing(&set.name));
+    let bearings: Vec<(&str, Vec<u32>, [f64; 2])> = bearings
+        .map(|set| {
+            let mean = |k: usize| {
+                let sum: f64 = set.nodes.iter().map(|node| mesh.nodes[*node as usize][k]).sum();
+                sum / set.nodes.len().max(1) as f64
+            };
+            (set.name.as_str(), away_from_ends(crank, set), [mean(0), mean(1)])
+        })
+        .collect();
+    surfaces.extend(bearings.iter().map(|(name, nodes, centre)| (*name, &nodes[..], *centre)));
     let bearings = surfaces.len();
-    surfaces.extend(crank.webs.iter().map(|web| (web.name.as_str(), &web.nodes[..], [0.0; 2])));
+    let webs = crank.webs.iter().map(|web| (web.name.as_str(), away_from_bars(crank, &web.name, &web.nodes)));
+    let webs: Vec<(&str, Vec<u32>)> = webs.collect();
+    surfaces.extend(webs.iter().map(|(name, nodes)| (*name, &nodes[..], [0.0; 2])));
     let mut peaks = surface_peaks(mesh, &stresses, &surfaces);
     let webs = peaks.split_off(bearings);
     let surfaces = peaks.split_off(crank.corners.len());

@@ -59,7 +59,7 @@ pub struct Mode {
     pub frequency: f64,
     /// What mainly moves.
     pub kind: ModeKind,
-    /// Shares of the kinetic energy: slices along x, along y, turning about z, motion along z; the rest deforms slices.
+    /// Shares of the kinetic energy: slices that move along x or tilt with it, the same along y, turning about z, moving along z; the rest deforms slices.
     pub shares: [f64; 4],
     /// `|K x - l M x|/|K x|`; of a rigid motion, whose `K x` is rounding, over `s |M x|`. No more than 1e-8, or than what rounding leaves: thin
     /// elements have a `K` of large numbers that cancel.
@@ -395,7 +395,7 @@ fn checked(
     ((value, x.iter().map(|value| factor * value).collect(), residual), least)
 }
 
-/// Shares of the kinetic energy by slices along z: moving along x, along y, turning about z, motion along z; together at most 1.
+/// Shares of the kinetic energy by slices along z: moving along x or tilting with it, the same along y, turning about z, motion along z; together at most 1.
 fn shares(mesh: &Mesh, shape: &[[f64; 3]]) -> [f64; 4] {
     let lumps = lumped_mass(mesh);
     let (low, high) = mesh
@@ -403,21 +403,23 @@ fn shares(mesh: &Mesh, shape: &[[f64; 3]]) -> [f64; 4] {
         .iter()
         .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), node| (low.min(node[2]), high.max(node[2])));
     let slice = |z: f64| (((z - low) / (high - low) * SLICES as f64) as usize).min(SLICES - 1);
-    // Mass, centre, momentum, moment of momentum and polar inertia of each slice.
-    let mut sums = [[0.0; 7]; SLICES];
-    let (mut axial, mut all) = (0.0, 0.0);
+    // Mass, centre, momentum, moment of momentum and polar inertia of each slice; then what its motion along z needs.
+    let mut sums = [[0.0; 13]; SLICES];
+    let mut all = 0.0;
     for ((place, u), m) in mesh.nodes.iter().zip(shape).zip(&lumps) {
         let sum = &mut sums[slice(place[2])];
         let [x, y, _] = *place;
-        let parts = [1.0, x, y, u[0], u[1], x * u[1] - y * u[0], x * x + y * y];
+        let along = [u[2], x * u[2], y * u[2], x * x, y * y, x * y];
+        let across = [1.0, x, y, u[0], u[1], x * u[1] - y * u[0], x * x + y * y];
+        let parts = across.into_iter().chain(along);
         for (sum, part) in sum.iter_mut().zip(parts) {
             *sum += m * part;
         }
-        axial += m * u[2] * u[2];
         all += m * (u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
     }
-    let mut shares = [0.0, 0.0, 0.0, axial / all];
-    for [m, x, y, px, py, spin, polar] in sums.into_iter().filter(|sum| sum[0] > 0.0) {
+    let mut shares = [0.0; 4];
+    for [m, x, y, px, py, spin, polar, pz, xz, yz, xx, yy, xy] in sums.into_iter().filter(|sum| sum[0] > 0.0)
+    {
         let own = polar - (x * x + y * y) / m;
         let rate = if own > 1e-12 * polar { (spin - (x * py - y * px) / m) / own } else { 0.0 };
         // A slice that turns about the crank axis moves its centre too: that is torsion, the rest of its motion is bending.
@@ -428,6 +430,24 @@ fn shares(mesh: &Mesh, shape: &[[f64; 3]]) -> [f64; 4] {
         let whole = (px * px + py * py) / m + rate * rate * own;
         if alone > 0.0 {
             (0..3).for_each(|k| shares[k] += parts[k] / alone * whole / all);
+        }
+        // Along z a slice moves as a whole, or tilts about the axis as a bent bar does: u_z = a + b x + c y.
+        let own = [xx - x * x / m, yy - y * y / m, xy - x * y / m];
+        let moved = [xz - x * pz / m, yz - y * pz / m];
+        let determinant = own[0] * own[1] - own[2] * own[2];
+        let [b, c] = match determinant > 1e-9 * xx * yy {
+            true => [
+                (own[1] * moved[0] - own[2] * moved[1]) / determinant,
+                (own[0] * moved[1] - own[2] * moved[0]) / determinant,
+            ],
+            false => [0.0; 2],
+        };
+        let a = (pz - b * x - c * y) / m;
+        let parts = [b * b * xx, c * c * yy, m * a * a];
+        let alone: f64 = parts.iter().sum();
+        let whole = pz * pz / m + b * moved[0] + c * moved[1];
+        if alone > 0.0 {
+            [0, 1, 3].into_iter().zip(parts).for_each(|(k, part)| shares[k] += part / alone * whole / all);
         }
     }
     shares

@@ -8,7 +8,7 @@ use lanchester_film::{
 };
 use lanchester_geometry::crankshaft::crankshaft;
 use lanchester_mechanism::{BearingLoads, BearingSize};
-use lanchester_model::{BearingData, Cavitation as FileCavitation, Engine, Oil, OilGroove};
+use lanchester_model::{BearingData, Cavitation as FileCavitation, Engine, Housing, Oil, OilGroove};
 use lanchester_report::{FilmsInput, Section, films_section};
 use num_complex::Complex64;
 use rayon::prelude::*;
@@ -174,6 +174,9 @@ fn films_at(
     if places.iter().any(|place| place.data.diametral_clearance.is_none()) {
         assumptions
             .push(format!("diametral clearance where none is given: {ASSUMED_CLEARANCE} of the diameter"));
+    }
+    if places.iter().any(|place| matches!(place.data.housing, Some(Housing::Stiffness(_)))) {
+        assumptions.push("`housing_stiffness` is not used: housings and shells are rigid".into());
     }
     let supply = engine.bearing_design.as_ref().and_then(|design| design.oil.supply_pressure);
     let own: Vec<Vec<Feed>> = places.iter().map(|place| place.feeds(supply.unwrap_or(0.0))).collect();

@@ -29,6 +29,8 @@ pub struct Inertias {
 /// Share of a throw in the inertia of its crankshaft.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct ThrowInertia {
+    /// Index of its crankshaft.
+    pub crankshaft: usize,
     /// Index of the throw.
     pub throw: usize,
     /// Mass [kg].
@@ -88,11 +90,13 @@ pub(crate) fn with_known_rotors(engine: &Engine) -> Cow<'_, Engine> {
 /// The inertias of an engine and of the driveline that its file gives.
 pub fn inertias(engine: &Engine, tasks: &Tasks) -> Inertias {
     let bodies = rotating_bodies(engine);
-    let shares = (0..engine.crankshafts.len()).filter_map(|index| crankshaft(engine, index).ok());
+    let shares =
+        (0..engine.crankshafts.len()).filter_map(|index| Some((index, crankshaft(engine, index).ok()?)));
     let mut throws: Vec<ThrowInertia> = shares
-        .flat_map(|body| body.throws)
-        .filter_map(|share| {
-            Some(ThrowInertia { throw: share.throw?, mass: share.mass, inertia: share.polar_inertia })
+        .flat_map(|(crankshaft, body)| body.throws.into_iter().map(move |share| (crankshaft, share)))
+        .filter_map(|(crankshaft, share)| {
+            let (mass, inertia) = (share.mass, share.polar_inertia);
+            Some(ThrowInertia { crankshaft, throw: share.throw?, mass, inertia })
         })
         .collect();
     throws.sort_by_key(|share| share.throw);

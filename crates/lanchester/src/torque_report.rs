@@ -1,6 +1,6 @@
 //! Torque, friction, flywheel and power of an engine with the gas of its file; loads of its bearings.
 
-use crate::inertias::known_inertia;
+use crate::inertias::{known_inertia, rotating_bodies};
 use crate::pressure::cycles::cycle_results;
 use crate::pressure::cylinders::{GasReport, cylinder_gas};
 use crate::pressure::error::GasError;
@@ -12,7 +12,7 @@ use lanchester_mechanism::{
 };
 use lanchester_model::{
     CrankElementForm, Engine, Flywheel, Friction, GasProcess, GasSource, PlainBearing, RodJoint,
-    SimulationInput, SpeedRange,
+    RotatingBody, RotatingKind, SimulationInput, SpeedRange,
 };
 use lanchester_report::{
     BearingSizes, BearingsInput, CycleResult, Section, TorqueInput, bearings_section, torque_section,
@@ -166,6 +166,9 @@ pub fn torque_report(
     if !outer.is_none() {
         warnings.push(BESIDES.into());
     }
+    if ripples.iter().any(|ripple| matches!(ripple, RippleOutcome::Periodic(_))) {
+        warnings.extend(counted_as_nothing(engine));
+    }
     let cycles = match &gas {
         Some(gas) => cycle_results(engine, gas).map_err(GasError::from)?,
         None => Vec::new(),
@@ -190,6 +193,20 @@ const WITHOUT_GAS: &str = "no gas in the engine file, inertia alone";
 
 /// What the user is told where torques over the angle act besides.
 const BESIDES: &str = "the torque of [simulation], or its load over the angle, acts besides: cyclic speed fluctuation, excess energy and flywheel count it, the tables of torque are those of gas and inertia";
+
+/// What the user is told of balance shafts and gears whose inertia is not known: the speed fluctuates as if they had none.
+fn counted_as_nothing(engine: &Engine) -> Option<String> {
+    let is_driven = |body: &RotatingBody| matches!(body.kind, RotatingKind::Shaft(_) | RotatingKind::Gear(_));
+    let bodies = rotating_bodies(engine);
+    let unknown = bodies.iter().filter(|body| body.inertia.is_none() && is_driven(body));
+    let named: Vec<String> = unknown.map(|body| format!("{} (`{}`)", body.name, body.key)).collect();
+    (!named.is_empty()).then(|| {
+        format!(
+            "not known, and counted as 0 in the cyclic speed fluctuation: the moments of inertia of {}; the key in brackets gives each",
+            named.join(", ")
+        )
+    })
+}
 
 /// What the user is told of a flywheel where the inertia of the crankshafts is not known.
 pub(crate) const UNKNOWN_CRANKSHAFT: &str =

@@ -1,11 +1,13 @@
 //! What every engine has to keep: finite numbers of the right sign, places that exist, linkages that turn, names of their own.
 
+use crate::crank::body::Envelope;
 use crate::engine_parts::{BalanceShaft, Counterweight, Crankshaft, Cylinder, EngineParts, RodJoint, Throw};
 use crate::fault::{Fault, Part, unique};
 use crate::gear::Gear;
 use crate::linkage::{CLEARANCE, MARGIN, largest_reach};
 use crate::ratio::Ratio;
 use crate::running::block::Block;
+use crate::running::gas_check::{of_friction, of_gas};
 use crate::running::mount::Mount;
 
 /// All faults of the parts.
@@ -263,16 +265,39 @@ fn of_sizes(parts: &EngineParts, faults: &mut Vec<Fault>) {
         for inertia in [flywheel.inertia, flywheel.crankshaft_inertia].iter().flatten() {
             part.not_negative("inertia [kg m^2]", *inertia);
         }
-        flywheel.fluctuation.iter().for_each(|share| part.positive("fluctuation", *share));
+        for share in flywheel.fluctuation.iter().filter(|share| !(**share > 0.0 && **share < 2.0)) {
+            let remedy = "it is highest less lowest speed over their mean: 0.02 for 2 %";
+            part.add("fluctuation", "more than 0 and less than 2", share, remedy);
+        }
         flywheel.speeds.iter().for_each(|speed| part.positive("speeds [rad/s]", *speed));
     }
     if let Some(gas) = &parts.gas {
-        let part = &mut Part { faults, name: &|| "gas".into() };
-        part.positive("ambient_pressure [Pa]", gas.ambient_pressure);
-        if let Some(ratio) = gas.compression_ratio()
-            && !(ratio > 1.0 && ratio.is_finite())
-        {
-            part.add("compression_ratio", "more than 1", ratio, "it is the largest volume over the smallest");
-        }
+        of_gas(gas, faults);
+    }
+    if let Some(friction) = &parts.friction {
+        of_friction(friction, faults);
+    }
+    if let Some(envelope) = &parts.envelope {
+        of_envelope(envelope, &mut Part { faults, name: &|| "envelope".into() });
+    }
+}
+
+/// Sizes of what the crankshaft must stay clear of.
+fn of_envelope(envelope: &Envelope, part: &mut Part<'_>) {
+    envelope.least.iter().for_each(|own| part.not_negative("least [m]", *own));
+    envelope.crankcase_radius.iter().for_each(|own| part.positive("crankcase_radius [m]", *own));
+    if let Some(skirt) = &envelope.skirt {
+        part.positive("length of the skirt [m]", skirt.length);
+        skirt.width.iter().for_each(|own| part.positive("width of the skirt [m]", *own));
+    }
+    if let Some(liner) = &envelope.liner {
+        part.positive("end of the liner [m]", liner.end);
+        part.positive("wall of the liner [m]", liner.wall);
+    }
+    if let Some(rod) = &envelope.rod {
+        part.positive("big_end_radius [m]", rod.big_end_radius);
+        part.positive("big_end_width [m]", rod.big_end_width);
+        part.positive("shank_width [m]", rod.shank_width);
+        part.positive("shank_thickness [m]", rod.shank_thickness);
     }
 }

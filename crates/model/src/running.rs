@@ -7,6 +7,7 @@ pub(crate) mod block;
 pub(crate) mod flywheel;
 pub(crate) mod friction;
 pub(crate) mod gas;
+pub(crate) mod gas_check;
 pub(crate) mod load;
 pub(crate) mod mount;
 pub(crate) mod simulation;

@@ -224,7 +224,8 @@ fn leading(title: String, lead: &str) -> String {
 
 /// Natural frequency, largest twist and stress.
 pub fn torsion_brief(result: &TorsionResult) -> String {
-    leading(format!("{}, torsional vibration", result.engine), &result.lead())
+    let words: Vec<String> = [result.lead()].into_iter().chain(result.tuned_words()).collect();
+    leading(format!("{}, torsional vibration", result.engine), &words.join(" "))
 }
 
 /// Largest stress of a static case.

@@ -41,6 +41,8 @@ struct TorsionAnswer {
     stations: Vec<String>,
     /// Undamped natural modes.
     modes: Vec<Mode>,
+    /// Place among them of the lowest in which the crankshaft twists; `null` where it twists in none of them.
+    twisting: Option<usize>,
     /// Orders and natural frequencies over speed, with the speeds at which they meet.
     campbell: Campbell,
     /// Speeds of crankshaft 1 [rad/s].
@@ -85,11 +87,13 @@ fn vibration(asker: &Asker, question: TorsionQuestion) -> Result<TorsionAnswer, 
         true => found.stresses(),
         false => Vec::new(),
     };
+    let twisting = found.twisting();
     let used = file.engine.torsion.as_ref().and_then(|design| design.damper);
     let damper = used.zip(found.sweep.damper);
     Ok(TorsionAnswer {
         gas: found.gas,
         stations: found.crank.chain.stations().iter().map(|station| station.name.clone()).collect(),
+        twisting,
         modes: found.modes,
         campbell: found.campbell,
         speeds: found.sweep.speeds,

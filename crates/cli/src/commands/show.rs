@@ -39,7 +39,8 @@ pub fn run(arguments: &ShowArguments, colour: bool) -> Result<u8, Failure> {
 /// Inertias of everything that turns.
 fn turning(file: &EngineFile) -> String {
     let found = inertias(&file.engine, &file.tasks);
-    let throws: Vec<_> = found.throws.iter().map(|own| (own.throw, own.mass, own.inertia)).collect();
+    let throws: Vec<_> =
+        found.throws.iter().map(|own| (own.crankshaft, own.throw, own.mass, own.inertia)).collect();
     let driveline: Vec<_> = found.driveline.iter().map(|own| (own.ratio, own.inertia.value)).collect();
     inertia_table(&found.bodies, &throws, &driveline, &found.sum).text()
 }

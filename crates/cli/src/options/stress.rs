@@ -185,6 +185,9 @@ pub struct StaticArguments {
     /// the whole where that has 6 and more.
     #[arg(long, value_name = "N", requires = "submodel", value_parser = clap::value_parser!(u32).range(2..=40))]
     pub submodel_elements: Option<u32>,
+    /// Least static safety that is wanted: yield strength over the largest stress of all fillets and cases; exit status 1 below it.
+    #[arg(long, value_name = "NUMBER")]
+    pub safety: Option<f64>,
     /// Write pictures as SVG files into this folder.
     #[arg(long, value_name = "FOLDER")]
     pub figures: Option<PathBuf>,

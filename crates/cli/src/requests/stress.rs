@@ -93,12 +93,6 @@ pub fn cycle_request(own: &CycleArguments, file: &EngineFile) -> Result<CycleReq
             "crankshafts of steel have 0.005 to 0.02",
         ));
     }
-    if let Some(safety) = own.safety.filter(|safety| !(*safety > 0.0 && safety.is_finite())) {
-        return Err(Failure::input(
-            format_args!("--safety needs a number above 0, got {safety}"),
-            "for example --safety 1.5",
-        ));
-    }
     Ok(CycleRequest {
         mesh: mesh(&own.mesh, file, 6)?,
         laws,

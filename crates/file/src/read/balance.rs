@@ -156,7 +156,7 @@ impl<'a> Reader<'a> {
             let message = "`speeds` has no effect: no mount has springs, no criterion counts the gas, and all other loads are largest \
                            at the highest speed";
             self.mistakes.push(
-                Mistake::error("E0204", span, message)
+                Mistake::warning("W0204", span, message)
                     .hint("give [block] and stiffness to every [[mount]], name a criterion \"with gas\", or leave it out"),
             );
         }

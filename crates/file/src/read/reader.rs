@@ -83,6 +83,14 @@ impl<'a> Reader<'a> {
         );
     }
 
+    /// A key that nothing uses as the file stands, but that other data or another question would: told, and kept.
+    pub(crate) fn unused_as_it_stands(&mut self, section: &Section, key: &str, why: &str, hint: &str) {
+        self.mistakes.push(
+            Mistake::warning("W0204", section.key_span(key), format!("`{key}` has no effect: {why}"))
+                .hint(hint),
+        );
+    }
+
     pub(crate) fn report_unused(&mut self) {
         for (path, span) in self.root.unused() {
             let table = path.split('.').next().unwrap_or("");

@@ -140,7 +140,7 @@ impl<'a> Reader<'a> {
 
     fn needs_gas(&mut self, key: &str, why: &str) {
         if !self.root.has("gas") && self.whole {
-            self.without_effect(self.root, key, why, "add [gas] with [[gas.trace]] or [gas.cycle]");
+            self.unused_as_it_stands(self.root, key, why, "add [gas] with [[gas.trace]] or [gas.cycle]");
         }
     }
 

@@ -66,7 +66,8 @@ impl<'a> Reader<'a> {
         let imposed = self.imposed(section);
         if !matches!(speed, Some(Some(SpeedKind::Imposed)) | None) {
             for key in ["imposed_against", "imposed"].into_iter().filter(|key| section.has(key)) {
-                self.without_effect(section, key, "the speed is free", "write speed = \"imposed\"");
+                let hint = "ask for an imposed speed, or write speed = \"imposed\"";
+                self.unused_as_it_stands(section, key, "the speed is free", hint);
             }
         }
         let start = match section.table("start") {

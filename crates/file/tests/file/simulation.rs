@@ -166,6 +166,24 @@ fn a_run_reads_back_from_its_expanded_form() {
     assert_eq!(kind, Some(SpeedKind::Imposed));
 }
 
+/// What nothing uses as the file stands, but an option or other data would, is told and kept.
+#[test]
+fn data_of_other_questions_are_accepted() {
+    for (more, key) in [
+        (
+            "[simulation]\nimposed = [{ at = \"0 s\", speed = \"2000 rpm\" }, { at = \"1 s\", speed = \"3000 rpm\" }]\n",
+            "imposed",
+        ),
+        ("[friction]\nfmep = \"1 bar\"\n", "friction"),
+        ("[governor]\nspeed = \"900 rpm\"\ngain = \"0.1 1/rpm\"\n", "governor"),
+    ] {
+        let reading = read(&format!("{SINGLE}\n{more}"));
+        assert!(reading.file.is_some(), "{more}: {:?}", reading.diagnostics);
+        let told = |d: &&lanchester_file::Diagnostic| d.code == "W0204" && d.message.contains(key);
+        assert_eq!(reading.diagnostics.iter().filter(told).count(), 1, "{more}: {:?}", reading.diagnostics);
+    }
+}
+
 /// All mistakes at once, each with its code.
 #[test]
 fn mistakes_of_a_run_are_told() {
@@ -175,7 +193,6 @@ fn mistakes_of_a_run_are_told() {
         ("[simulation]\nduration = \"0 revolutions\"\n", "E1801"),
         ("[simulation]\ngravity = \"down\"\n", "E1801"),
         ("[simulation]\ntolerance = 1\n", "E0108"),
-        ("[simulation]\nimposed = [{ at = \"0 s\", speed = \"1 rpm\" }]\n", "E0204"),
         ("[simulation]\nevent = [{ when = \"later\", do = \"stop\" }]\n", "E1801"),
         ("[simulation]\nevent = [{ when = \"1 s\", do = \"misfire 2\" }]\n", "E1802"),
         ("[simulation]\nevent = [{ when = \"1 s\", do = \"fuel 130 %\" }]\n", "E1802"),

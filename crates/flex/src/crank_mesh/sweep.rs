@@ -45,6 +45,11 @@ pub struct FilletPlace {
 }
 
 impl FilletPlace {
+    /// Whether it has no fillet: its stress grows with every refinement.
+    pub fn is_sharp(&self) -> bool {
+        self.nodes.is_empty()
+    }
+
     /// Volume that the fillet adds to a sharp corner [m^3]: the corner's square less a quarter disc, turned about the axis of the bar
     /// (Pappus).
     pub fn volume(&self) -> f64 {
@@ -125,6 +130,22 @@ pub fn crank_mesh_of_bay(
     mesh_of(engine, index, options, Some(pin))
 }
 
+/// Counterweights of a crankshaft that have no shape, which no mesh has.
+fn shapeless(engine: &Engine, index: usize) -> Option<String> {
+    let own = engine
+        .counterweights
+        .iter()
+        .filter(|weight| weight.crankshaft == index && weight.part.is_none() && weight.unbalance > 0.0);
+    let (count, sum) = own.fold((0, 0.0), |(count, sum), weight| (count + 1, sum + weight.unbalance));
+    (count > 0).then(|| {
+        format!(
+            "{count} counterweight{} without a shape, of {:.0} g mm together (their mass and centrifugal forces are missing; give them as parts)",
+            if count == 1 { "" } else { "s" },
+            1e6 * sum
+        )
+    })
+}
+
 fn mesh_of(
     engine: &Engine,
     index: usize,
@@ -158,6 +179,9 @@ fn mesh_of(
             "elastic constants of inserts (those of the crankshaft, with the density of the insert)"
                 .to_owned(),
         );
+    }
+    if pin.is_none() {
+        left_out.extend(shapeless(engine, index));
     }
     let mut sweep = Sweep {
         middles: middles(&circles.chords),

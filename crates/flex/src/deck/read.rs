@@ -39,6 +39,46 @@ struct Card {
     options: BTreeMap<String, String>,
 }
 
+/// Parameters that each card may have; what is not here would change the answer and is refused, but for cards of output.
+const PARAMETERS: [(&str, &[&str]); 16] = [
+    ("*NODE", &["NSET"]),
+    ("*ELEMENT", &["TYPE", "ELSET"]),
+    ("*NSET", &["NSET", "GENERATE"]),
+    ("*ELSET", &["ELSET", "GENERATE"]),
+    ("*MATERIAL", &["NAME"]),
+    ("*ELASTIC", &["TYPE"]),
+    ("*DENSITY", &[]),
+    ("*SOLID SECTION", &["ELSET", "MATERIAL"]),
+    ("*BOUNDARY", &[]),
+    ("*EQUATION", &[]),
+    ("*SPRING", &["ELSET"]),
+    ("*CLOAD", &[]),
+    ("*STEP", &["INC"]),
+    ("*STATIC", &["SOLVER", "DIRECT"]),
+    ("*FREQUENCY", &["SOLVER"]),
+    ("*END STEP", &[]),
+];
+
+impl Card {
+    /// Refuses a parameter that is not read.
+    fn check(&self) -> Result<(), FlexError> {
+        let Some((_, known)) = PARAMETERS.iter().find(|(name, _)| *name == self.name) else { return Ok(()) };
+        let is_read = |key: &str, value: &str| {
+            key.is_empty() || known.contains(&key) || (key, value) == ("NLGEOM", "NO")
+        };
+        let mut unknown = self.options.iter().filter(|(key, value)| !is_read(key, value));
+        let Some((unknown, _)) = unknown.next() else { return Ok(()) };
+        let read = match known {
+            [] => "it has none that is read".to_owned(),
+            known => format!("read are {}", known.join(", ")),
+        };
+        Err(wrong(
+            self.line,
+            format!("{} with the parameter {unknown}, which is not read: {read}", self.name),
+        ))
+    }
+}
+
 #[derive(Default)]
 struct Reader {
     nodes: BTreeMap<u32, u32>,
@@ -136,6 +176,7 @@ fn index(line: usize, field: &str, what: &str) -> Result<u32, FlexError> {
 
 impl Reader {
     fn card(&mut self, card: &Card, data: &[(usize, Vec<String>)]) -> Result<(), FlexError> {
+        card.check()?;
         match card.name.as_str() {
             "*HEADING" => {
                 self.case.name = data.first().map(|(_, fields)| fields.join(", ")).unwrap_or_default();

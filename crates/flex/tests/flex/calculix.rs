@@ -199,6 +199,20 @@ fn bad_decks_are_refused_with_their_line() {
     of_line(change("MATERIAL=M1", "MATERIAL=M9"), line_of("*SOLID SECTION"), "M9");
     of_line(change("*BOUNDARY\n", "*BOUNDARY\nNOWHERE, 1\n"), line_of("*BOUNDARY") + 1, "missing or empty");
     of_line(change("*CLOAD\n", "*CLOAD\n1, 4, 3\n"), line_of("*CLOAD") + 1, "degrees of freedom");
+    // A parameter that changes the answer is not passed over.
+    for (card, parameter) in [
+        ("*NODE", "SYSTEM=C"),
+        ("*SOLID SECTION", "ORIENTATION=O1"),
+        ("*BOUNDARY", "SUBMODEL"),
+        ("*CLOAD", "AMPLITUDE=A1"),
+        ("*STEP", "NLGEOM"),
+        ("*STEP", "PERTURBATION"),
+    ] {
+        let line = line_of(card);
+        let own = good.lines().nth(line - 1).unwrap();
+        let with = change(&format!("{own}\n"), &format!("{own}, {parameter}\n"));
+        of_line(with, line, parameter.split('=').next().unwrap());
+    }
     of_line(change("*END STEP", "**"), line_of("*STEP"), "no *END STEP");
     of_line(
         change("*STEP\n", "*NSET, NSET=X, GENERATE\n5, 3\n*STEP\n"),

@@ -169,15 +169,6 @@ fn left_out(engine: &Engine, request: &CycleRequest, unmeshed: &[String]) -> Vec
          the film, deformation of shells and block. Material: {} % of critical damping in every mode, {source}.",
         100.0 * damping
     )];
-    let own = |weight: &&lanchester_model::Counterweight| {
-        weight.crankshaft == request.mesh.crankshaft && weight.part.is_none() && weight.unbalance > 0.0
-    };
-    let shapeless = engine.counterweights.iter().filter(own).count();
-    if shapeless > 0 {
-        notes.push(format!(
-            "{shapeless} counterweights are unbalances without a shape: they are not in the mesh, so that the loads of the mains miss them; give them as parts."
-        ));
-    }
     if !unmeshed.is_empty() {
         notes.push(
             "Masses that are not meshed load the bearings of the rules, not those of the runs.".to_owned(),

@@ -3,9 +3,15 @@
 use crate::stress::mesh::StressMesh;
 use crate::stress::request::{StressError, StressStage};
 use crate::stress::run::{check_crankshaft, sheet};
+use lanchester_flex::case::StaticCase;
+use lanchester_flex::modes::{ModeKind, modes_watched};
 use lanchester_flex::reduction::{ReducedModel, ReductionOptions, interfaces, reduce_watched};
+use lanchester_flex::statics::SolveOptions;
 use lanchester_model::Engine;
 use lanchester_report::{REDUCED_VERSION, ReducedCrank};
+
+/// Free natural frequencies of the mesh that stand beside those of the reduced model.
+const COMPARED: usize = 6;
 
 /// Reduces a crankshaft to its journals, pins and the flywheel's end face; `watch` sees how far it is.
 ///
@@ -24,7 +30,9 @@ pub fn reduced_crank(
         sets.filter(|name| name.starts_with(prefix)).collect()
     };
     let sets = [named("MAIN_"), named("PIN_"), named("FLYWHEEL")].concat();
-    let own = interfaces(&sheet.crank.mesh, &sets)?;
+    let mut own = interfaces(&sheet.crank.mesh, &sets)?;
+    // The crankshaft's own axis, not the middle of the nodes that happen to lie on the face.
+    own.iter_mut().filter(|own| own.name == "FLYWHEEL").for_each(|own| own.point[..2].fill(0.0));
     let estimate = |estimate: &_| watch(StressStage::Factoring(*estimate));
     let reduction = reduce_watched(&sheet.crank.mesh, &own, options, &estimate)?;
     let model = reduction.model;
@@ -36,12 +44,20 @@ pub fn reduced_crank(
     let free = |model: &ReducedModel| -> Vec<f64> {
         model.modes().iter().skip(6).map(|mode| mode.frequency).collect()
     };
-    let frequencies = free(&model).into_iter().zip(free(&fewer)).map(|(all, fewer)| [all, fewer]).collect();
+    let frequencies: Vec<[f64; 2]> =
+        free(&model).into_iter().zip(free(&fewer)).map(|(all, fewer)| [all, fewer]).collect();
+    // The mesh itself without supports, whose bearing surfaces bend with the crankshaft.
+    let solve = SolveOptions { memory: options.memory, ..SolveOptions::default() };
+    let count = frequencies.len().min(COMPARED) + 6;
+    let found = modes_watched(&sheet.crank.mesh, &StaticCase::default(), count, solve, &estimate)?;
+    let found = found.modes.iter().filter(|mode| mode.kind != ModeKind::Rigid);
+    let of_mesh = found.map(|mode| mode.frequency).collect();
     Ok(ReducedCrank {
         version: REDUCED_VERSION,
         residual: reduction.residual,
         mass_error: mass / sheet.crank.quality.mass - 1.0,
         frequencies,
+        of_mesh,
         model,
         sheet,
     })

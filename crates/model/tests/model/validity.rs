@@ -2,7 +2,8 @@
 
 use lanchester_file::{read, templates};
 use lanchester_model::{
-    Block, Counterweight, Cylinder, Engine, EngineParts, Mount, MovingParts, Ratio, Rod, RodJoint, Throw,
+    Block, Counterweight, CrankcasePressure, Cylinder, Engine, EngineParts, Envelope, Flywheel, Friction,
+    Gas, GasSource, Liner, Mount, MovingParts, PressureTrace, Ratio, Rod, RodJoint, Throw,
 };
 
 fn gallery(name: &str) -> Engine {
@@ -13,7 +14,7 @@ fn gallery(name: &str) -> Engine {
 /// A change of a good engine, what it is a change of, and a word of what it needs.
 type Case = (&'static str, fn(&mut EngineParts), &'static str, &'static str);
 
-const CASES: [Case; 24] = [
+const CASES: [Case; 32] = [
     ("in-line-4", |e| e.cylinders[2].throw = 9, "cylinders[2]", "throw must be from 0 to 3"),
     ("in-line-4", |e| e.throws[1].crankshaft = 1, "throws[1]", "crankshaft must be from 0 to 0"),
     (
@@ -88,7 +89,74 @@ const CASES: [Case; 24] = [
         "name must be another than that of mounts[0]",
     ),
     ("twin-360", |e| e.block = Some(thin_block()), "block", "inertia [kg m^2] must be that of some body"),
+    (
+        "in-line-4",
+        |e| e.friction = Some(Friction::Given { fmep: f64::NAN }),
+        "friction",
+        "fmep [Pa] must be 0 or more",
+    ),
+    (
+        "in-line-4",
+        |e| e.friction = Some(Friction::Given { fmep: -1e6 }),
+        "friction",
+        "fmep [Pa] must be 0 or more",
+    ),
+    ("in-line-4", |e| e.gas = Some(traces(Vec::new())), "gas", "traces must be one or more"),
+    (
+        "in-line-4",
+        |e| e.gas = Some(Gas { crankcase: crankcase(f64::NAN), ..traces(vec![trace()]) }),
+        "gas",
+        "crankcase pressure [Pa] must be more than 0",
+    ),
+    (
+        "in-line-4",
+        |e| e.gas = Some(traces(vec![PressureTrace { speed: Some(f64::NAN), ..trace() }])),
+        "gas",
+        "speed of a trace [rad/s] must be more than 0",
+    ),
+    (
+        "in-line-4",
+        |e| e.flywheel = Some(Flywheel { fluctuation: Some(5.0), ..Flywheel::default() }),
+        "flywheel",
+        "fluctuation must be more than 0 and less than 2",
+    ),
+    (
+        "in-line-4",
+        |e| e.envelope = Some(Envelope { least: Some(f64::NAN), ..Envelope::default() }),
+        "envelope",
+        "least [m] must be 0 or more",
+    ),
+    (
+        "in-line-4",
+        |e| {
+            e.envelope = Some(Envelope { liner: Some(Liner { end: 0.1, wall: -1.0 }), ..Envelope::default() })
+        },
+        "envelope",
+        "wall of the liner [m] must be more than 0",
+    ),
 ];
+
+fn trace() -> PressureTrace {
+    PressureTrace {
+        file: "pressure.csv".into(),
+        speed: None,
+        gauge: false,
+        top_dead_centre: 0.0,
+        counted_from_first: false,
+    }
+}
+
+fn crankcase(pressure: f64) -> CrankcasePressure {
+    CrankcasePressure::Constant { pressure }
+}
+
+fn traces(traces: Vec<PressureTrace>) -> Gas {
+    Gas {
+        ambient_pressure: 1e5,
+        source: GasSource::Traces { traces, compression_ratio: None },
+        crankcase: crankcase(1e5),
+    }
+}
 
 fn long_way(parts: &mut EngineParts) {
     parts.cylinders[0].rod.joint =

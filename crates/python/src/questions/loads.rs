@@ -242,8 +242,11 @@ fn read_inertias(_: &Options<'_>) -> Result<Run, Failure> {
             own,
             Shown {
                 tables: |found, _| {
-                    let throws: Vec<_> =
-                        found.throws.iter().map(|own| (own.throw, own.mass, own.inertia)).collect();
+                    let throws: Vec<_> = found
+                        .throws
+                        .iter()
+                        .map(|own| (own.crankshaft, own.throw, own.mass, own.inertia))
+                        .collect();
                     let driveline: Vec<_> =
                         found.driveline.iter().map(|own| (own.ratio, own.inertia.value)).collect();
                     vec![lanchester::report::inertia_table(&found.bodies, &throws, &driveline, &found.sum)]

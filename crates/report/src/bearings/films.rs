@@ -17,24 +17,6 @@ const ROUGH: f64 = 0.3e-6;
 
 /// Least film, pressure, friction, flow and temperature of every bearing.
 pub fn films_table(films: &[BearingFilm]) -> Table {
-    let state = |film: &BearingFilm| match film.orbit.outcome {
-        OrbitOutcome::Overloaded => "overloaded",
-        _ if film.orbit.least_edge_film.is_some_and(|film| film <= 0.0) => "an end touches",
-        _ if film.orbit.contact_time > 0.0 => "contact",
-        OrbitOutcome::NotPeriodic => "not periodic",
-        OrbitOutcome::Periodic if film.orbit.least_anywhere() < film.roughness => "below roughness",
-        OrbitOutcome::Periodic if !film.heat_balanced => "no heat balance",
-        OrbitOutcome::Periodic if film.cavitation == Cavitation::Full && film.temperature_rise.is_none() => {
-            "no flow takes the heat"
-        }
-        OrbitOutcome::Periodic if film.temperature_rise.is_none_or(|rise| rise > HOT) => {
-            "rise beyond any oil"
-        }
-        OrbitOutcome::Periodic if film.roughness == 0.0 && film.orbit.least_anywhere() < ROUGH => {
-            "thinner than surfaces are rough"
-        }
-        OrbitOutcome::Periodic => "",
-    };
     let column = |header: &str, unit, digits, value: fn(&BearingFilm) -> f64| {
         numbers(header, unit, films.iter().map(value), digits)
     };
@@ -58,7 +40,7 @@ pub fn films_table(films: &[BearingFilm]) -> Table {
         columns.insert(4, column("at an end", "um", 4, edge));
         columns.insert(2, column("largest load", "kN", 4, |film| 1e-3 * film.largest_load));
     }
-    columns.push(words("remark", films.iter().map(|film| state(film).to_owned())));
+    columns.push(words("remark", films.iter().map(remarks)));
     let mut note =
         "Least film over the cycle with its crank angle and its direction in the shell (main: frame of the engine; big end: from the rod's line)."
             .to_owned();
@@ -66,6 +48,40 @@ pub fn films_table(films: &[BearingFilm]) -> Table {
         note += " At an end: least film there, of a journal that tilts with its shaft. Load: what film and contact carry.";
     }
     Table::of_columns("bearing-films", "Oil films", note, columns)
+}
+
+/// All that makes a film one not to go by.
+fn remarks(film: &BearingFilm) -> String {
+    let orbit = &film.orbit;
+    if orbit.outcome == OrbitOutcome::Overloaded {
+        return "overloaded".to_owned();
+    }
+    let mut out: Vec<String> = Vec::new();
+    if orbit.least_edge_film.is_some_and(|film| film <= 0.0) {
+        out.push("an end touches".to_owned());
+    }
+    if orbit.contact_time > 0.0 {
+        out.push(format!(
+            "contact {:.0} % of the time, with up to {:.0} % of the load; its friction is not counted",
+            100.0 * orbit.contact_time,
+            100.0 * orbit.contact_share
+        ));
+    }
+    if orbit.outcome == OrbitOutcome::NotPeriodic {
+        out.push("not periodic".to_owned());
+    }
+    if orbit.least_anywhere() < film.roughness {
+        out.push("below roughness".to_owned());
+    } else if film.roughness == 0.0 && orbit.least_anywhere() < ROUGH {
+        out.push("thinner than surfaces are rough".to_owned());
+    }
+    match film.temperature_rise {
+        _ if !film.heat_balanced => out.push("no heat balance".to_owned()),
+        None if film.cavitation == Cavitation::Full => out.push("no flow takes the heat".to_owned()),
+        Some(rise) if rise <= HOT => {}
+        _ => out.push("rise beyond any oil".to_owned()),
+    }
+    out.join("; ")
 }
 
 /// Least film of every bearing over speed [um]: by speed [rad/s] the same bearings in the same order.

@@ -1,16 +1,16 @@
 //! The table of everything that turns: inertia, what it is at crankshaft 1, and where the number comes from.
 
 use crate::kit::table::{Cell, Column, Table};
-use lanchester_model::{InertiaSum, RotatingBody};
+use lanchester_model::{InertiaSum, RotatingBody, RotatingKind};
 
 /// Digits of an inertia in print.
 const DIGITS: i32 = 4;
 
-/// All rotating bodies with their sum, in kg mm^2. `throws` has index, mass [kg] and inertia [kg m^2] of what belongs to single throws, which is part of
+/// All rotating bodies with their sum, in kg mm^2. `throws` has crankshaft, index, mass [kg] and inertia [kg m^2] of what belongs to single throws, which is part of
 /// the crankshafts' own numbers; `driveline` ratio and inertia [kg m^2] of what is behind springs, which is not in the sum.
 pub fn inertia_table(
     bodies: &[RotatingBody],
-    throws: &[(usize, f64, f64)],
+    throws: &[(usize, usize, f64, f64)],
     driveline: &[(f64, f64)],
     sum: &InertiaSum,
 ) -> Table {
@@ -19,7 +19,10 @@ pub fn inertia_table(
     for body in bodies {
         let origin = match body.inertia {
             Some(inertia) => inertia.origin.words().to_owned(),
-            None => format!("unknown: `{}` gives it", body.key),
+            None => match body.kind {
+                RotatingKind::Crankshaft(_) => format!("unknown: `{}` or [crank.body] gives it", body.key),
+                _ => format!("unknown: `{}` gives it", body.key),
+            },
         };
         rows.push([
             Cell::text(body.name.clone()),
@@ -29,16 +32,17 @@ pub fn inertia_table(
             body.referred().map_or(Cell::Empty, |own| inertia(own.value)),
             Cell::text(origin),
         ]);
-    }
-    for (throw, mass, own) in throws {
-        rows.push([
-            Cell::text(format!("  of it throw {}", throw + 1)),
-            Cell::number(*mass, DIGITS),
-            inertia(*own),
-            Cell::Empty,
-            Cell::Empty,
-            Cell::text("from its shape"),
-        ]);
+        let is_own = |own: &&(usize, usize, f64, f64)| body.kind == RotatingKind::Crankshaft(own.0);
+        for (_, throw, mass, own) in throws.iter().filter(is_own) {
+            rows.push([
+                Cell::text(format!("  of it throw {}", throw + 1)),
+                Cell::number(*mass, DIGITS),
+                inertia(*own),
+                Cell::Empty,
+                Cell::Empty,
+                Cell::text("from its shape"),
+            ]);
+        }
     }
     for (index, (ratio, own)) in driveline.iter().enumerate() {
         rows.push([
@@ -51,7 +55,13 @@ pub fn inertia_table(
         ]);
     }
     let missing = if sum.missing.is_empty() { "" } else { " (as far as known)" };
-    let origin = sum.origin.map_or("unknown", lanchester_model::Origin::words);
+    let mut origins: Vec<&str> = Vec::new();
+    for words in bodies.iter().filter_map(|body| Some(body.inertia?.origin.words())) {
+        if !origins.contains(&words) {
+            origins.push(words);
+        }
+    }
+    let origin = if origins.is_empty() { "unknown".to_owned() } else { origins.join(" and ") };
     rows.push([
         Cell::text(format!("sum{missing}")),
         Cell::Empty,

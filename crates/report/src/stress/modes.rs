@@ -50,7 +50,7 @@ impl CrankModes {
         Table::of_columns(
             "stress-modes",
             "Natural modes",
-            "Shares of the kinetic energy: slices across the axis that move along throw 1 and across it, turn about the axis, or move \
+            "Shares of the kinetic energy: slices across the axis that move along throw 1 and across it or tilt so, turn about the axis, or move \
              along it; the rest deforms slices. Residual: |K x - lambda M x| over |K x|.",
             vec![
                 (

@@ -28,6 +28,8 @@ pub struct ReducedCrank {
     pub mass_error: f64,
     /// Free natural frequencies of the model beyond the rigid motions, and with a third of its fixed-interface modes left out [Hz].
     pub frequencies: Vec<[f64; 2]>,
+    /// The first free natural frequencies of the mesh itself [Hz]: bearing surfaces that stay rigid make the model stiffer than that.
+    pub of_mesh: Vec<f64>,
 }
 
 impl ReducedCrank {
@@ -51,11 +53,17 @@ impl ReducedCrank {
     /// Free frequencies and what the truncation does to them.
     pub(crate) fn frequencies_table(&self) -> Table {
         let rows = &self.frequencies[..self.frequencies.len().min(LISTED)];
+        let of_mesh = |cell: &dyn Fn(f64, f64) -> Cell| -> Vec<Cell> {
+            let all = rows.iter().enumerate();
+            all.map(|(k, [own, _])| self.of_mesh.get(k).map_or(Cell::Empty, |found| cell(*found, *own)))
+                .collect()
+        };
         let change = rows.iter().map(|[all, fewer]| Cell::text(format!("{:.1e}", fewer / all - 1.0)));
         Table::of_columns(
             "reduced-frequencies",
             "Free natural frequencies of the reduced model",
-            "Change: relative, where a third of the fixed-interface modes is left out; the error of the truncation is smaller than that.",
+            "Change: relative, where a third of the fixed-interface modes is left out; the error of the truncation is smaller than that. Of the mesh: without supports, its \
+             bearing surfaces free to bend; the model holds each of them rigid, and is stiffer by what stands beside it.",
             vec![
                 (
                     Column::numbers("mode", ""),
@@ -63,6 +71,11 @@ impl ReducedCrank {
                 ),
                 numbers("frequency", "Hz", rows.iter().map(|[all, _]| *all), 6),
                 (Column::words("change"), change.collect()),
+                (Column::numbers("of the mesh", "Hz"), of_mesh(&|found, _| Cell::number(found, 6))),
+                (
+                    Column::numbers("stiffer", "%"),
+                    of_mesh(&|found, own| Cell::Number { value: 100.0 * (own / found - 1.0), decimals: 1 }),
+                ),
             ],
         )
     }
@@ -79,6 +92,14 @@ impl ReducedCrank {
             self.model.points.len(),
             frequencies.len(),
         )];
+        if let (Some(own), Some(found)) = (self.frequencies.first(), self.of_mesh.first()) {
+            words.push(format!(
+                "Its lowest free frequency is {} Hz, that of the mesh {} Hz: rigid bearing surfaces stiffen it by {:.1} %.",
+                number::short(own[0], 5),
+                number::short(*found, 5),
+                100.0 * (own[0] / found - 1.0)
+            ));
+        }
         words.extend(self.sheet.words());
         words.push(format!(
             "Checks: constraint modes leave {:.1e} of their force on free nodes; mass of a rigid translation right to {:.1e}.",

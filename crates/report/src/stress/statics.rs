@@ -96,19 +96,40 @@ impl StaticStress {
         self.sheet.material.yield_strength.map(|strength| strength.value / von_mises)
     }
 
+    /// Yield strength over the largest stress of any fillet and case, of the whole and of the submodel; `None` where either is not known.
+    pub fn least_safety(&self) -> Option<f64> {
+        let of_whole = self.worst()?.worst()?.stress?.von_mises;
+        let of_bay =
+            self.submodel.as_ref().and_then(|own| own.worst()).map_or(0.0, |own| own.stress.von_mises);
+        self.safety(of_whole.max(of_bay))
+    }
+
     /// The sentences that matter most.
     pub(crate) fn lead(&self) -> String {
         let submodel = self.submodel.as_ref().and_then(|own| own.lead(|stress| self.safety_words(stress)));
-        match submodel {
-            Some(words) => format!("{} {words}", self.whole_lead()),
-            None => self.whole_lead(),
-        }
+        let turns = self.cases.iter().any(|case| case.speed > 0.0);
+        let shapeless = self.sheet.crank.left_out.iter().any(|words| words.contains("without a shape"));
+        let missing = match turns && shapeless {
+            true => Some(
+                "Counterweights without a shape are not in the mesh: stress by their centrifugal forces is missing; give them as parts.",
+            ),
+            false => None,
+        };
+        let words = [Some(self.whole_lead()), submodel, missing.map(str::to_owned)];
+        words.into_iter().flatten().collect::<Vec<_>>().join(" ")
     }
 
     /// ", 1.4 times below yield"; nothing where the strength is not known.
     fn safety_words(&self, von_mises: f64) -> String {
         let safety = self.safety(von_mises);
-        safety.map_or(String::new(), |safety| format!(", {} times below yield", number::short(safety, 3)))
+        match safety {
+            Some(safety) if safety < 1.0 => {
+                let over = number::short(1.0 / safety, 3);
+                format!(", {over} times the yield strength, beyond which a linear result no longer holds")
+            }
+            Some(safety) => format!(", {} times below yield", number::short(safety, 3)),
+            None => String::new(),
+        }
     }
 
     fn whole_lead(&self) -> String {

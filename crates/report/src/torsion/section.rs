@@ -20,9 +20,7 @@ impl TorsionResult {
         let sweep = &self.sweep;
         let rpm = |index: usize| number::terminal(number::rpm(sweep.speeds[index]), 0);
         let mut out = String::new();
-        let speed = sweep.speeds.last().copied().unwrap_or(0.0);
-        let twists = |mode: &Mode| self.crank.chain.strain_share(&mode.shape, ShaftKind::Shaft, speed) > 0.5;
-        match self.modes.iter().position(twists) {
+        match self.twisting() {
             Some(0) | None => {
                 if let Some(mode) = self.modes.first() {
                     out += &format!("The first natural frequency is {} Hz. ", number::short(mode.hertz(), 4));
@@ -56,12 +54,22 @@ impl TorsionResult {
         out + "."
     }
 
+    /// The lowest mode in which the crankshaft twists more than couplings, damper or pendulums give way.
+    pub fn twisting(&self) -> Option<usize> {
+        let speed = self.sweep.speeds.last().copied().unwrap_or(0.0);
+        let twists = |mode: &Mode| self.crank.chain.strain_share(&mode.shape, ShaftKind::Shaft, speed) > 0.5;
+        self.modes.iter().position(twists)
+    }
+
+    /// The best setting of the damper, where it was asked for.
+    pub(crate) fn tuned_words(&self) -> Option<String> {
+        self.tuned.as_ref().map(|tuned| self.tuning_words(tuned))
+    }
+
     /// Damper, tuning, limits and what was assumed.
     pub fn words(&self) -> Vec<String> {
         let mut out = Vec::new();
-        if let Some(tuned) = &self.tuned {
-            out.push(self.tuning_words(tuned));
-        }
+        out.extend(self.tuned_words());
         for limit in &self.limits {
             let (name, scale, unit) = match limit.quantity {
                 LimitedQuantity::Twist => ("twist between nose and flywheel", DEGREES, "deg"),

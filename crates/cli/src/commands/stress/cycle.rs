@@ -1,6 +1,7 @@
 //! `lanchester stress cycle`: the flexible crankshaft in its bearings.
 
 use super::said::say;
+use super::{is_safe, wanted_safety};
 use crate::commands::{json, open};
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
 use crate::figures::write_figures;
@@ -23,6 +24,7 @@ use std::time::Instant;
 pub fn cycle(arguments: &CycleArguments, colour: bool) -> Result<u8, Failure> {
     arguments.printed.check(arguments.format == Format::Text)?;
     let own = &arguments.mesh;
+    let safety = wanted_safety(arguments.safety)?;
     let least_film = match &arguments.least_film {
         Some(text) => Some(option::length(text, "--least-film")?),
         None => None,
@@ -52,7 +54,7 @@ pub fn cycle(arguments: &CycleArguments, colour: bool) -> Result<u8, Failure> {
         Format::Json => json(&found)?,
         Format::Csv => arguments.printed.csv(cycle_csv(&found)),
     })?;
-    Ok(verdict(&found, arguments.safety, least_film))
+    Ok(verdict(&found, safety, least_film))
 }
 
 /// Says which limit fails.
@@ -62,20 +64,8 @@ fn verdict(found: &CrankCycle, safety: Option<f64>, least_film: Option<f64>) -> 
         tell("a run has no sound end: see how the cycles ended");
         status = NOT_AS_EXPECTED;
     }
-    if let Some(wanted) = safety {
-        match found.static_safety() {
-            Some(safety) if safety >= wanted => {}
-            Some(safety) => {
-                tell(format_args!("the static safety is {safety:.3}, wanted is {wanted}"));
-                status = NOT_AS_EXPECTED;
-            }
-            None => {
-                tell(
-                    "the static safety is not known: give yield_strength or a preset in [crank.material], and fillets",
-                );
-                status = NOT_AS_EXPECTED;
-            }
-        }
+    if !is_safe(found.static_safety(), safety) {
+        status = NOT_AS_EXPECTED;
     }
     if let Some(wanted) = least_film {
         match found.least_film() {

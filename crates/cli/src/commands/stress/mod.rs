@@ -65,6 +65,7 @@ fn solved(
 fn statics(arguments: &StaticArguments, colour: bool) -> Result<u8, Failure> {
     arguments.printed.check(arguments.format == Format::Text)?;
     let own = &arguments.mesh;
+    let safety = wanted_safety(arguments.safety)?;
     let opened = open(&own.file, colour)?;
     let submodel = arguments.submodel.map(|throw| SubmodelRequest {
         throw: throw as usize,
@@ -81,7 +82,31 @@ fn statics(arguments: &StaticArguments, colour: bool) -> Result<u8, Failure> {
         Format::Json => json(&found)?,
         Format::Csv => arguments.printed.csv(static_stress_csv(&found)),
     })?;
-    Ok(DONE)
+    Ok(if is_safe(found.least_safety(), safety) { DONE } else { NOT_AS_EXPECTED })
+}
+
+/// Whether a static safety is as wanted; says so where it is not.
+fn is_safe(found: Option<f64>, wanted: Option<f64>) -> bool {
+    let Some(wanted) = wanted else { return true };
+    match found {
+        Some(safety) if safety >= wanted => return true,
+        Some(safety) => tell(format_args!("the static safety is {safety:.3}, wanted is {wanted}")),
+        None => tell(
+            "the static safety is not known: give yield_strength or a preset in [crank.material], and fillets",
+        ),
+    }
+    false
+}
+
+/// A safety that is wanted.
+fn wanted_safety(safety: Option<f64>) -> Result<Option<f64>, Failure> {
+    match safety {
+        Some(safety) if !(safety > 0.0 && safety.is_finite()) => Err(Failure::input(
+            format_args!("--safety needs a number above 0, got {safety}"),
+            "for example --safety 1.5",
+        )),
+        other => Ok(other),
+    }
 }
 
 fn found_modes(

@@ -177,7 +177,7 @@ impl<'a> Reader<'a> {
         let Some(section) = section else { return (!broken).then_some(None) };
         if !self.root.has("gas") && self.whole {
             let hint = "add [gas] with [[gas.trace]] or [gas.cycle]";
-            self.without_effect(self.root, "governor", "it scales the fired part of the gas", hint);
+            self.unused_as_it_stands(self.root, "governor", "it scales the fired part of the gas", hint);
         }
         let [speed, gain] = ["speed", "gain"].map(|key| self.required(section, key, section.number(key)));
         let [integral, delay, lag] = ["integral", "delay", "lag"].map(|key| section.number(key).or(0.0));

@@ -230,6 +230,12 @@ impl CycleRun {
         }
     }
 
+    /// Whether it has an outcome to go by and balanced energies.
+    pub fn is_sound(&self) -> bool {
+        matches!(self.outcome, CycleOutcome::Periodic | CycleOutcome::NotPeriodic)
+            && self.energy_error <= BALANCED
+    }
+
     /// The fillet with the largest stress.
     pub fn worst(&self) -> Option<&FilletCycle> {
         self.fillets.iter().max_by(|a, b| a.peak.total_cmp(&b.peak))
@@ -272,32 +278,40 @@ impl CycleRun {
 }
 
 impl CrankCycle {
-    /// Yield strength over the largest stress of all runs; `None` where either is not known.
+    /// Runs to go by: those of a sound end, of the flexible crankshaft where there are any.
+    pub(super) fn counted(&self) -> Vec<&CycleRun> {
+        let sound: Vec<&CycleRun> = self.runs.iter().filter(|run| run.is_sound()).collect();
+        let is_flexible = |run: &&CycleRun| run.crank == CrankKind::Flexible;
+        match self.runs.iter().any(|run| is_flexible(&run)) {
+            true => sound.into_iter().filter(is_flexible).collect(),
+            false => sound,
+        }
+    }
+
+    /// Yield strength over the largest stress of all runs to go by; `None` where either is not known.
     pub fn static_safety(&self) -> Option<f64> {
         let strength = self.sheet.material.yield_strength?.value;
-        let peaks = self.runs.iter().filter_map(CycleRun::worst).map(|own| own.peak);
+        let peaks = self.counted().into_iter().filter_map(CycleRun::worst).map(|own| own.peak);
         let peak = peaks.fold(0.0, f64::max);
         (peak > 0.0).then(|| strength / peak)
     }
 
-    /// Thinnest film of all runs [m].
+    /// Thinnest film of all runs to go by [m].
     pub fn least_film(&self) -> Option<f64> {
-        let films = self.runs.iter().flat_map(|run| &run.bearings).filter_map(|own| own.film.as_ref());
+        let films =
+            self.counted().into_iter().flat_map(|run| &run.bearings).filter_map(|own| own.film.as_ref());
         films.map(|film| film.thickness).min_by(f64::total_cmp)
     }
 
     /// The bearing through whose shell a journal leans furthest, and the thickness at its ends [m]; `None` where none does.
     pub(super) fn touching_ends(&self) -> Option<(String, f64)> {
-        let bearings = self.runs.iter().flat_map(|run| &run.bearings);
+        let bearings = self.counted().into_iter().flat_map(|run| &run.bearings);
         let ends = bearings.filter_map(|own| Some((own.name(), own.film.as_ref()?.at_ends)));
         ends.filter(|(_, at_ends)| *at_ends < 0.0).min_by(|a, b| a.1.total_cmp(&b.1))
     }
 
     /// Whether every run has an outcome to go by and balanced energies.
     pub fn is_sound(&self) -> bool {
-        self.runs.iter().all(|run| {
-            matches!(run.outcome, CycleOutcome::Periodic | CycleOutcome::NotPeriodic)
-                && run.energy_error <= BALANCED
-        })
+        self.runs.iter().all(CycleRun::is_sound)
     }
 }

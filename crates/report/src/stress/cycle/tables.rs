@@ -5,6 +5,7 @@ use crate::kit::number;
 use crate::kit::paragraph::push_wrapped;
 use crate::kit::table::{Cell, Column, Table, csv_number, numbers, push_csv_line, words};
 use lanchester_film::BearingKind;
+use lanchester_flex::train::CycleOutcome;
 
 /// Largest number or nothing.
 fn optional(value: Option<f64>, digits: i32) -> Cell {
@@ -195,13 +196,31 @@ impl CrankCycle {
     }
 
     pub(crate) fn lead(&self) -> String {
-        let worst = self
+        let unsound: Vec<String> = self
             .runs
             .iter()
-            .filter_map(|run| Some((run, run.worst()?)))
-            .max_by(|a, b| a.1.peak.total_cmp(&b.1.peak));
-        let Some((run, fillet)) = worst else {
-            return "No fillet has a stress: loads and orbits alone.".to_owned();
+            .filter(|run| !run.is_sound())
+            .map(|run| {
+                let why = match run.outcome {
+                    CycleOutcome::Periodic | CycleOutcome::NotPeriodic => {
+                        "leaves energies unbalanced".to_owned()
+                    }
+                    _ => run.outcome_words(),
+                };
+                format!("{} bearings: the run {why}", run.name())
+            })
+            .collect();
+        let unsound = match &unsound[..] {
+            [] => String::new(),
+            all => format!(" Not counted here: {}.", all.join("; ")),
+        };
+        let counted = self.counted();
+        if counted.is_empty() {
+            return format!("No run has a sound end.{unsound}");
+        }
+        let worst = counted.into_iter().filter_map(|run| Some((run, run.worst()?)));
+        let Some((run, fillet)) = worst.max_by(|a, b| a.1.peak.total_cmp(&b.1.peak)) else {
+            return format!("No fillet has a stress: loads and orbits alone.{unsound}");
         };
         let mut out = format!(
             "Largest fillet stress over the cycle {} MPa (von Mises) at {}, crank angle {} deg, with {} bearings.",
@@ -222,6 +241,7 @@ impl CrankCycle {
                 number::short(1e6 * at_ends, 3)
             ));
         }
+        out.push_str(&unsound);
         // The headline is what is read: what it is worth belongs to it.
         out.extend(self.ringing.iter().map(|words| format!(" {words}")));
         out
