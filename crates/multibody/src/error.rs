@@ -75,7 +75,19 @@ pub enum MultibodyError {
     },
     /// The run would take too long.
     #[error(
-        "the run would take about {evaluations:.1e} evaluations and {samples:.1e} samples, more than {most_evaluations:.0e} or {most_samples:.0e}: make it shorter, take a larger sample step, or ask for a long run"
+        "the run would take {}: {}",
+        [
+            beyond(*evaluations, *most_evaluations, "evaluations of the equations of motion"),
+            beyond(*samples, *most_samples, "samples"),
+        ]
+        .into_iter()
+        .flatten()
+        .collect::<Vec<_>>()
+        .join(", and "),
+        match samples > most_samples {
+            true => "make it shorter, take a larger sample step, or ask for a long run",
+            false => "make it shorter, or ask for a long run",
+        }
     )]
     TooLong {
         /// Estimate of the evaluations of the equations of motion.
@@ -137,6 +149,18 @@ pub enum MultibodyError {
         theta: f64,
     },
 }
+
+/// How many of something a run would take, where that is more than it may.
+fn beyond(count: f64, most: f64, name: &str) -> Option<String> {
+    let about = match count <= COUNTABLE {
+        true => format!("about {count:.1e} {name}"),
+        false => format!("more {name} than could ever be made"),
+    };
+    (count > most).then(|| format!("{about}, where {most:.0e} are allowed"))
+}
+
+/// Evaluations that no machine makes in a lifetime.
+const COUNTABLE: f64 = 1e18;
 
 /// `value` with four significant digits.
 fn four_digits(value: f64) -> f64 {

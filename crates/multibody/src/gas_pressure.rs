@@ -26,4 +26,10 @@ pub trait GasPressure {
     fn kinks(&self, _cylinder: usize) -> Vec<f64> {
         Vec::new()
     }
+
+    /// Own angles within a cycle at which any derivative jumps, those of [`GasPressure::kinks`] among them: a pressure through points bends at every point. A step
+    /// across one of them has an error that its estimate does not see; a periodic motion whose search stays short of its bound for that ends its steps there.
+    fn bends(&self, cylinder: usize) -> Vec<f64> {
+        self.kinks(cylinder)
+    }
 }

@@ -42,6 +42,7 @@ pub use place::Place;
 pub use reactions::*;
 pub use referee::engine::RefereeEngine;
 pub use rotor_shares::RotorShares;
+pub use run::extremes::{Bounds, CylinderExtremes, Peak, RotorExtremes, RunExtremes};
 pub use run::result::*;
 pub use simulation::*;
 pub use stepper::{Advance, StepInputs, Stepper, StepperState};

@@ -17,6 +17,7 @@ mod with_past;
 use crate::error::MultibodyError;
 use crate::gas_pressure::GasPressure;
 use crate::powered::History;
+use crate::run::Returning;
 use crate::run::result::{Run, RunOutcome, RunState};
 use crate::run::runner::Runner;
 use crate::simulation::{Duration, Simulation};
@@ -97,7 +98,8 @@ impl Train {
             self.run_from(&shown, gas, None, &|_| true)?
         } else {
             let past = search.past.take();
-            self.run_from(&shown, gas, Some((x.as_slice(), past.as_ref())), &|_| true)?
+            let returning = Returning { state: x.as_slice(), past: past.as_ref(), at_bends: search.at_bends };
+            self.run_from(&shown, gas, Some(returning), &|_| true)?
         };
         if cancelled.get() {
             run.outcome = RunOutcome::Cancelled;
@@ -133,7 +135,8 @@ impl Train {
         }
         let past = search.past.take();
         let shown = self.one_period(simulation, true);
-        self.run_from(&shown, gas, Some((x.as_slice(), past.as_ref())), &|_| true).map(Some)
+        let returning = Returning { state: x.as_slice(), past: past.as_ref(), at_bends: search.at_bends };
+        self.run_from(&shown, gas, Some(returning), &|_| true).map(Some)
     }
 
     /// What is simulated of a search, and of the motion that it finds where `is_shown`.
@@ -160,9 +163,10 @@ impl Search<'_> {
     fn find(&mut self, cancelled: &Cell<bool>) -> (DVector<f64>, Walk) {
         let mut x = self.start.clone();
         let mut walk = Walk::default();
-        // With a past the time of a period must be known first.
-        if !self.has_past() {
-            self.newton(&mut x);
+        // With a past the time of a period must be known first; a start is no motion that returns.
+        let is_started = self.is_being_started();
+        if !self.has_past() && !is_started {
+            self.close(&mut x);
         }
         for periods in FOLLOWED {
             if self.residual < NEARLY || cancelled.get() {
@@ -178,7 +182,10 @@ impl Search<'_> {
                 break;
             }
             walk.end = Some((x.clone(), self.past.clone()));
-            self.newton(&mut x);
+            if is_started {
+                self.measure_by(&x);
+            }
+            self.close(&mut x);
         }
         if self.residual >= NEARLY
             && !cancelled.get()

@@ -107,6 +107,8 @@ pub(crate) struct Conditions {
     pub fuel: f64,
     pub starter: bool,
     pub clutch_open: bool,
+    /// What the spring of the clutch has lost as it opened [J], negative.
+    pub clutch_work: f64,
     /// Sense in which the crank turns or is about to: dry friction acts against it.
     pub sense: f64,
     /// Dry friction holds the crank.
@@ -139,6 +141,7 @@ pub(crate) struct Torques {
     pub load: f64,
     pub starter: f64,
     pub friction: f64,
+    pub piston_friction: f64,
     pub outside: f64,
     pub driveline: f64,
     pub rates: [f64; 7],
@@ -457,8 +460,16 @@ impl<'a> Powered<'a> {
         let counted =
             works.into_iter().zip(layout.counted).filter_map(|(work, counted)| counted.then_some(work));
         rates[layout.works()..].iter_mut().zip(counted).for_each(|(rate, work)| *rate = work);
-        self.torques =
-            Torques { gas, load, starter, friction, outside, driveline: spring_torque, rates: seven };
+        self.torques = Torques {
+            gas,
+            load,
+            starter,
+            friction,
+            piston_friction: rubbing,
+            outside,
+            driveline: spring_torque,
+            rates: seven,
+        };
         self.places = places;
     }
 
@@ -525,6 +536,19 @@ impl<'a> Powered<'a> {
             crate::place::dot(g, rotor.first_moment * turn)
         });
         pistons.sum::<f64>() + rotors.sum::<f64>()
+    }
+
+    /// Twist of every spring of the driveline [rad] and its torque with its damper on the inertia behind it [N m]; 0 of an open clutch.
+    pub fn springs(&self, motion: &Motion, state: &[f64]) -> Vec<[f64; 2]> {
+        let mut before = [motion.theta, motion.speed];
+        let links = self.simulation.driveline.iter().enumerate().map(|(index, link)| {
+            let own = [state[self.layout.link(index)], state[self.layout.link(index) + 1]];
+            let twist = [0, 1].map(|k| link.ratio * before[k] - own[k]);
+            before = own;
+            let is_open = index == 0 && self.conditions.clutch_open;
+            if is_open { [0.0; 2] } else { [twist[0], link.stiffness * twist[0] + link.damping * twist[1]] }
+        });
+        links.collect()
     }
 
     /// Adds the driveline; returns the torque of its first spring on the crank and the power of its dampers.

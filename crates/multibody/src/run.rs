@@ -6,6 +6,7 @@ pub(crate) mod audit;
 mod block_loads;
 pub(crate) mod check;
 pub(crate) mod equilibrium;
+pub(crate) mod extremes;
 pub(crate) mod kept;
 pub(crate) mod kinks;
 mod occasions;
@@ -21,6 +22,7 @@ use crate::mount_place::MountPlace;
 use crate::powered::{Conditions, History, Layout, Powered, Torques, counted, governor_now};
 use crate::run::audit::Auditor;
 use crate::run::check::{check, check_length};
+use crate::run::extremes::Looker;
 use crate::run::kinks::kinks;
 use crate::run::profile::sampling_speed;
 use crate::run::result::{Cost, RUN_VERSION, Run, RunOutcome, RunState, Samples};
@@ -29,7 +31,7 @@ use crate::simulation::{
     BlockMotion, BlockStart, Drive, Duration, FAST, Simulation, When, load_torque, straight,
 };
 use crate::train::Train;
-use kept::Kept;
+use kept::{Kept, Place};
 use lanchester_numerics::{Dop853, Outcome, SampleGrid, Settings, Step};
 use std::cell::RefCell;
 use std::f64::consts::TAU;
@@ -53,6 +55,17 @@ const MOST_RESERVED: usize = 16_384;
 /// Most pieces of a run: events, halts and kinks at low speed.
 const MOST_PIECES: usize = 1_000_000;
 
+/// Where a periodic motion starts.
+#[derive(Clone, Copy)]
+pub(crate) struct Returning<'a> {
+    /// The components of the state that return.
+    pub state: &'a [f64],
+    /// What a governor with a dead time wanted before.
+    pub past: Option<&'a History>,
+    /// Whether steps end at the bends of the pressures too.
+    pub at_bends: bool,
+}
+
 impl Train {
     /// Runs the engine under `gas`.
     ///
@@ -75,27 +88,34 @@ impl Train {
         self.run_from(simulation, gas, None, watch)
     }
 
-    /// The same from the components of a periodic motion, with the past of a governor with a dead time.
+    /// The same from a periodic motion.
     pub(crate) fn run_from(
         &self,
         simulation: &Simulation,
         gas: Option<&dyn GasPressure>,
-        returning: Option<(&[f64], Option<&History>)>,
+        returning: Option<Returning<'_>>,
         watch: &dyn Fn(RunState) -> bool,
     ) -> Result<Run, MultibodyError> {
         let mut runner = Runner::new(self, simulation, gas)?;
         runner.watch = watch;
-        if let Some((returning, past)) = returning {
-            runner.rewind(returning, past);
+        if let Some(from) = returning {
+            if from.at_bends {
+                runner.end_steps_at_bends();
+            }
+            runner.rewind(from.state, from.past);
         }
         let mut auditor = Auditor::new(&mut runner);
+        let mut looker = Looker::new(runner.period);
         let mut samples = Samples::default();
         let mut kept = Kept::new(runner.state.len());
         kept.push(runner.time).copy_from_slice(&runner.state);
-        runner.take(&kept, &mut samples, |powered, theta, state| auditor.look(powered, theta, state));
+        let look =
+            &mut |powered: &Powered<'_>, theta: f64, state: &[f64]| auditor.look(powered, theta, state);
+        runner.take(&kept, &mut samples, Some(&mut looker), &mut *look);
         let outcome = runner.go(|runner, kept| {
-            runner.take(kept, &mut samples, |powered, theta, state| auditor.look(powered, theta, state));
+            runner.take(kept, &mut samples, Some(&mut looker), &mut *look);
         });
+        let (extremes, last_period_extremes) = looker.close(&samples);
         let (audit, energy, last_period) = auditor.close(&mut runner);
         let tolerances = simulation.tolerances_at(simulation.start_speed.abs().max(1.0), runner.scale);
         Ok(Run {
@@ -107,6 +127,9 @@ impl Train {
             events: runner.happened,
             energy,
             last_period,
+            extremes,
+            last_period_extremes,
+            stall: runner.stall.filter(|_| runner.powered.conditions.starter),
             audit,
             cost: runner.cost,
             tolerances,
@@ -161,6 +184,7 @@ impl<'a> Runner<'a> {
                     // One that would let go below the speed of the start is gone.
                     starter: simulation.starter.is_some_and(|starter| simulation.start_speed < starter.until),
                     clutch_open: false,
+                    clutch_work: 0.0,
                     sense: 1.0,
                     held: false,
                     window: [0.0; 2],
@@ -179,7 +203,7 @@ impl<'a> Runner<'a> {
             },
             time: 0.0,
             state: vec![0.0; layout.dimension()],
-            kinks: kinks(train, gas, simulation, period),
+            kinks: kinks(train, gas, simulation, period, false),
             period,
             pending: vec![true; simulation.events.len()],
             until: simulation.duration,
@@ -187,9 +211,18 @@ impl<'a> Runner<'a> {
             step: None,
             cost: Cost::default(),
             happened: Vec::new(),
+            stall: None,
             scale: 1.0,
             watch: &|_| true,
         }
+    }
+
+    /// From now on steps end wherever a derivative of the pressures jumps; whether that is more than before.
+    pub fn end_steps_at_bends(&mut self) -> bool {
+        let before = self.kinks.len();
+        let Powered { train, gas, simulation, .. } = self.powered;
+        self.kinks = kinks(train, gas, simulation, self.period, true);
+        self.kinks.len() > before
     }
 
     /// Sets the state of the start.
@@ -425,6 +458,12 @@ impl<'a> Runner<'a> {
             (false, true) => size * self.state[1],
             _ => size,
         });
+        // Where something may jump both sides are looked at.
+        let is_looking = simulation.reactions && !self.is_stepped;
+        let jumps = if is_looking { stops.clone() } else { Vec::new() };
+        if is_looking {
+            kept.push_as(Place::Behind, self.time).copy_from_slice(&self.state);
+        }
         settings.stops = stops;
         settings.most_evaluations = simulation.most_evaluations.saturating_sub(self.cost.evaluations);
         // Over the angle a longer step would pass over what happens within a stroke.
@@ -449,14 +488,16 @@ impl<'a> Runner<'a> {
             true => f64::INFINITY,
             false => simulation.step / if over_angle { 1.0 } else { sampling_speed(profile_speeds) },
         };
+        let looks = if is_looking { simulation.looks.max(1) } else { 1 };
+        let fine = grid / looks as f64;
         let origin = if over_angle { simulation.start_angle } else { 0.0 };
         // The commands of a governor with a dead time are kept at every step.
         settings.dense = delay.is_some() || !self.is_stepped;
         settings.samples =
-            (delay.is_none() && settings.dense).then_some(SampleGrid { origin, spacing: grid });
+            (delay.is_none() && settings.dense).then_some(SampleGrid { origin, spacing: fine });
         let mut integrator = Dop853::new(settings);
         if over_angle {
-            kept.reserve((((end - from) / grid) as usize + 2).min(MOST_RESERVED));
+            kept.reserve((((end - from) / fine) as usize + 2).min(MOST_RESERVED));
         }
 
         let mut y = self.state.clone();
@@ -485,12 +526,18 @@ impl<'a> Runner<'a> {
                 }
                 history.push(times, commands);
             }
-            let mut index = ((step.from - origin) / grid * (1.0 + 1e-14)).floor() + 1.0;
+            let mut index = ((step.from - origin) / fine * (1.0 + 1e-14)).floor() + 1.0;
             loop {
-                let at = origin + index * grid;
+                let whole = index / looks as f64;
+                let is_sample = looks == 1 || whole == whole.floor();
+                let at = origin + if is_sample { whole * grid } else { index * fine };
                 // The end of the run is a sample though rounding may put it beyond.
                 let at = if at > step.to && at < step.to + 1e-9 * grid { step.to } else { at };
                 if at > step.to {
+                    let next = jumps.partition_point(|jump| *jump < step.to - 1e-9);
+                    if jumps.get(next).is_some_and(|jump| *jump <= step.to + 1e-9) {
+                        keep_both_sides(kept, step, over_angle);
+                    }
                     let (time, theta) = match over_angle {
                         true => (step.end[0], step.to),
                         false => (step.to, step.end[0]),
@@ -498,7 +545,7 @@ impl<'a> Runner<'a> {
                     let goes_on = watch(RunState { time, theta, speed: step.end[1] });
                     return if goes_on { ControlFlow::Continue(()) } else { ControlFlow::Break(()) };
                 }
-                let state = kept.push(at);
+                let state = kept.push_as(if is_sample { Place::Sample } else { Place::Look }, at);
                 step.at(at, state);
                 if over_angle {
                     let time = std::mem::replace(&mut state[0], at);
@@ -519,6 +566,10 @@ impl<'a> Runner<'a> {
         }
         self.state = y;
         self.straighten();
+        // Where the piece ends something may jump.
+        if is_looking && kept.last_time().is_some_and(|last| last < self.time) && self.is_finite() {
+            kept.push_as(Place::Look, self.time).copy_from_slice(&self.state);
+        }
         let watch = match outcome {
             Outcome::Event { index, rising } => watches.get(index).copied().map(|watch| match watch {
                 // A crossing in the other sense is no event of this watch.
@@ -530,6 +581,10 @@ impl<'a> Runner<'a> {
             _ => None,
         };
         (outcome, watch)
+    }
+
+    fn is_finite(&self) -> bool {
+        self.time.is_finite() && self.state.iter().all(|value| value.is_finite())
     }
 
     /// The quaternion back to size 1: its error is that of the steps.
@@ -545,5 +600,18 @@ impl<'a> Runner<'a> {
         let turns = ((from / self.period).floor() as i64)..=((to / self.period).ceil() as i64);
         let all = turns.flat_map(|turn| self.kinks.iter().map(move |kink| kink + self.period * turn as f64));
         all.filter(|kink| *kink > from + 1e-11 && *kink < to).collect()
+    }
+}
+
+/// Keeps the end of a step for both sides of what jumps there.
+fn keep_both_sides(kept: &mut Kept, step: &Step, over_angle: bool) {
+    let time = if over_angle { step.end[0] } else { step.to };
+    let is_there = kept.last_time().is_some_and(|last| last >= time);
+    for place in [Place::Look, Place::Behind].into_iter().skip(usize::from(is_there)) {
+        let state = kept.push_as(place, time);
+        state.copy_from_slice(step.end);
+        if over_angle {
+            state[0] = step.to;
+        }
     }
 }

@@ -29,6 +29,8 @@ pub struct Simulation {
     pub gravity: f64,
     /// Crank angle between two samples [rad]; with a profile of imposed speed the angle at the fastest speed between two of its points, and less elsewhere.
     pub step: f64,
+    /// Places from one sample to the next at which the largest and smallest values of the run are looked for, the next sample among them.
+    pub looks: usize,
     /// Relative tolerance of every step.
     pub tolerance: f64,
     /// Absolute tolerances by kind of state that differ from those that follow from `tolerance`.
@@ -75,6 +77,7 @@ impl Simulation {
             block: BlockMotion::Fixed,
             gravity: 0.0,
             step: std::f64::consts::PI / 180.0,
+            looks: 1,
             tolerance: 1e-9,
             tolerances: StateTolerances::default(),
             guidance: Guidance::Crankpin,

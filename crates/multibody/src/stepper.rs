@@ -202,7 +202,7 @@ impl<'a> Stepper<'a> {
         let mut samples = Samples::default();
         let mut kept = Kept::new(self.runner.state.len());
         kept.push(self.runner.time).copy_from_slice(&self.runner.state);
-        self.runner.take(&kept, &mut samples, |_, _, _| {});
+        self.runner.take(&kept, &mut samples, None, |_, _, _| {});
         samples
     }
 

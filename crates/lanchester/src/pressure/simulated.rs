@@ -97,6 +97,14 @@ impl GasPressure for GivenGas<'_> {
     fn kinks(&self, cylinder: usize) -> Vec<f64> {
         self.kinks[cylinder].clone()
     }
+
+    fn bends(&self, cylinder: usize) -> Vec<f64> {
+        let curves = self.gas.iter().flat_map(|gas| [&gas[cylinder].cylinder, &gas[cylinder].crankcase]);
+        let mut found: Vec<f64> = curves.flat_map(|curve| curve.pieces().map(|piece| piece.0)).collect();
+        found.sort_by(f64::total_cmp);
+        found.dedup_by(|later, kept| *later - *kept < 1e-9);
+        found
+    }
 }
 
 /// The gas at `speed` alone, or where it depends on the speed at several of the range, `speed` among them: those of the measured traces, or some at which a

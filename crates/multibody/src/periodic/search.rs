@@ -13,9 +13,11 @@ pub(super) const ITERATIONS: usize = 30;
 /// What counts as closed: change over one period over the size of each kind of state.
 pub(super) const CLOSED: f64 = 1e-10;
 
-/// What still counts as closed where iterations no longer help: pressures through points have kinks of their curvature at every point, whose errors within
-/// steps leave the map with noise.
+/// What still counts as closed where iterations no longer help: the errors of the steps leave the map with noise. What is reached is told.
 pub(super) const NEARLY: f64 = 1e-8;
+
+/// What the bends of pressures may leave within steps that go across them: farther from a motion than that, ends of steps there help nothing.
+const NOISE: f64 = 1e-4;
 
 /// Iterations without half the best residual so far after which none helps any more.
 pub(super) const IDLE: usize = 3;
@@ -42,6 +44,25 @@ pub(super) fn multipliers(slope: &DMatrix<f64>) -> Vec<[f64; 2]> {
     all
 }
 
+/// Sizes of the kinds of state: speeds by `speed` [rad/s], angles by 1 rad; places by what the block moves by: a millimetre, a milliradian.
+fn sizes(runner: &Runner<'_>, speed: f64) -> Vec<f64> {
+    let layout = runner.powered.layout;
+    let mut sizes = Vec::new();
+    if matches!(runner.powered.simulation.drive, Drive::Free) {
+        sizes.push(speed);
+    }
+    sizes.extend((0..layout.links).flat_map(|_| [1.0, speed]));
+    if layout.moving {
+        sizes.extend([1e-3; 6]);
+        sizes.extend([1e-3 * speed; 6]);
+    }
+    if layout.governed {
+        sizes.extend(std::iter::repeat_n(1.0, layout.relaxing() - layout.governor()));
+    }
+    sizes.extend(std::iter::repeat_n(1e-3, layout.branches));
+    sizes
+}
+
 /// The map of one period over the components of the state that must return.
 pub(super) struct Search<'a> {
     runner: Runner<'a>,
@@ -63,28 +84,15 @@ pub(super) struct Search<'a> {
     pub ended: RunOutcome,
     /// What a governor with a dead time wanted before the period.
     pub past: Option<History>,
+    /// Whether steps end at the bends of the pressures.
+    pub at_bends: bool,
 }
 
 impl<'a> Search<'a> {
     pub fn new(runner: Runner<'a>) -> Search<'a> {
-        let layout = runner.powered.layout;
-        let speed = runner.state[1].abs().max(1.0);
+        let sizes = sizes(&runner, runner.state[1].abs().max(1.0));
         let start = DVector::from_column_slice(&runner.returning());
         let moves_freely = matches!(runner.powered.simulation.drive, Drive::Free);
-        // Speeds by the speed, angles by 1 rad; places by what the block moves by: a millimetre, a milliradian.
-        let mut sizes = Vec::new();
-        if moves_freely {
-            sizes.push(speed);
-        }
-        sizes.extend((0..layout.links).flat_map(|_| [1.0, speed]));
-        if layout.moving {
-            sizes.extend([1e-3; 6]);
-            sizes.extend([1e-3 * speed; 6]);
-        }
-        if layout.governed {
-            sizes.extend(std::iter::repeat_n(1.0, layout.relaxing() - layout.governor()));
-        }
-        sizes.extend(std::iter::repeat_n(1e-3, layout.branches));
         let past = runner.powered.history.as_ref().map(|history| history.borrow().clone());
         Search {
             runner,
@@ -98,7 +106,31 @@ impl<'a> Search<'a> {
             at_motion: None,
             ended: RunOutcome::Complete,
             past,
+            at_bends: false,
         }
+    }
+
+    /// Whether the period begins with a starter at work: it does not return, and Newton has nothing to start from.
+    pub fn is_being_started(&self) -> bool {
+        self.runner.powered.conditions.starter
+    }
+
+    /// Speeds are measured by the one of `x` from now on.
+    pub fn measure_by(&mut self, x: &DVector<f64>) {
+        let speed = self.speed(x).abs().max(1.0);
+        self.sizes = sizes(&self.runner, speed);
+    }
+
+    /// Newton's steps from `x`, and where they stay short of [`CLOSED`], from there with steps that end at the bends of the pressures: pressures through points have
+    /// jumps of their curvature at every point, whose errors within steps leave the map with noise.
+    pub fn close(&mut self, x: &mut DVector<f64>) {
+        self.newton(x);
+        let is_near = self.residual < NOISE && self.residual >= CLOSED;
+        if !is_near || self.has_past() || self.at_bends || !self.runner.end_steps_at_bends() {
+            return;
+        }
+        self.at_bends = true;
+        self.newton(x);
     }
 
     /// Whether the past is part of the state.
@@ -286,6 +318,17 @@ impl Runner<'_> {
         all
     }
 
+    /// A crank that turns is not held, and a starter that it outruns is gone, whatever was before.
+    fn turns_on(&mut self) {
+        let speed = self.state[1];
+        let conditions = &mut self.powered.conditions;
+        if speed != 0.0 {
+            (conditions.held, conditions.sense) = (false, speed.signum());
+        }
+        let until = self.powered.simulation.starter.map_or(f64::INFINITY, |starter| starter.until);
+        conditions.starter = conditions.starter && speed < until;
+    }
+
     /// Back to the start of the run with these components, and the past of a governor with a dead time.
     pub(crate) fn rewind(&mut self, returning: &[f64], past: Option<&History>) {
         let layout = self.powered.layout;
@@ -299,6 +342,7 @@ impl Runner<'_> {
         let mut next = || rest.next().unwrap_or(0.0);
         if matches!(self.powered.simulation.drive, Drive::Free) {
             self.state[1] = next();
+            self.turns_on();
         }
         let mut ratio = 1.0;
         for (index, link) in self.powered.simulation.driveline.iter().enumerate() {

@@ -13,6 +13,8 @@ pub(crate) struct Auditor {
     start: [f64; 4],
     last: [f64; 4],
     largest_energy: f64,
+    /// Of what springs and gravity store.
+    largest_stored: f64,
     largest_work: f64,
     off: f64,
     audit: Audit,
@@ -31,10 +33,14 @@ struct Sums {
     theta: f64,
     energies: [f64; 4],
     works: [f64; WORKS],
+    clutch: f64,
 }
 
 /// Samples whose crank angles are a period apart to this bound mark its ends [rad].
 const SAME_ANGLE: f64 = 1e-6;
+
+/// Share of the energy that springs and gravity store against which the audit is measured at the least.
+const AT_REST: f64 = 1e-3;
 
 /// Momenta in space.
 fn momenta(powered: &Powered<'_>, theta: f64, state: &[f64]) -> [Vector3<f64>; 2] {
@@ -64,6 +70,7 @@ impl Auditor {
             start,
             last: start,
             largest_energy: 0.0,
+            largest_stored: 0.0,
             largest_work: 0.0,
             off: 0.0,
             audit: Audit::default(),
@@ -80,15 +87,17 @@ impl Auditor {
         self.audit.loops = self.audit.loops.max(powered.train.loop_residual(&powered.places));
         let energy = powered.energy_here(theta, state);
         let works = &state[powered.layout.works()..];
-        self.sums.push_back(Sums { theta, energies: energy, works: powered.layout.all_works(state) });
+        let clutch = powered.conditions.clutch_work;
+        self.sums.push_back(Sums { theta, energies: energy, works: powered.layout.all_works(state), clutch });
         let from = theta - self.period - SAME_ANGLE;
         while self.sums.get(1).is_some_and(|second| second.theta < from) {
             self.sums.pop_front();
         }
         let stored: f64 = energy.iter().sum::<f64>() - self.start.iter().sum::<f64>();
-        self.off = self.off.max((stored - works.iter().sum::<f64>()).abs());
+        self.off = self.off.max((stored - works.iter().sum::<f64>() - clutch).abs());
+        self.largest_stored = self.largest_stored.max(energy[1..].iter().map(|own| own.abs()).sum());
         self.largest_energy = self.largest_energy.max(energy[0].abs());
-        self.largest_work = self.largest_work.max(works.iter().map(|work| work.abs()).sum());
+        self.largest_work = self.largest_work.max(works.iter().map(|work| work.abs()).sum::<f64>() - clutch);
         if powered.layout.moving {
             let at = powered.layout.pose() + 3;
             let size: f64 = state[at..at + 4].iter().map(|q| q * q).sum::<f64>().sqrt();
@@ -126,8 +135,9 @@ impl Auditor {
         let (start, end) = (&self.sums[first], &self.sums[last]);
         let works: [f64; WORKS] = std::array::from_fn(|k| end.works[k] - start.works[k]);
         let largest = turned.map(|own| own.energies[0].abs()).fold(0.0, f64::max);
-        let throughput = largest + works.iter().map(|work| work.abs()).sum::<f64>();
-        Some(ledger([start.energies, end.energies], works, throughput))
+        let clutch = end.clutch - start.clutch;
+        let throughput = largest + works.iter().map(|work| work.abs()).sum::<f64>() - clutch;
+        Some(ledger([start.energies, end.energies], works, clutch, throughput))
     }
 
     pub fn close(mut self, runner: &mut Runner<'_>) -> (Audit, EnergyLedger, Option<EnergyLedger>) {
@@ -136,17 +146,19 @@ impl Auditor {
         let (theta, state) = (runner.state[0], runner.state.clone());
         self.last = runner.powered.energy(theta, &state);
         let throughput = self.largest_energy + self.largest_work;
-        self.audit.energy = self.off / throughput.max(f64::MIN_POSITIVE);
+        // Where nothing moves, the rounding of what springs and gravity store is all there is.
+        self.audit.energy = self.off / throughput.max(AT_REST * self.largest_stored).max(f64::MIN_POSITIVE);
         if self.momenta.is_some() {
             let share = |k: usize| self.changed[k] / self.largest[k].max(f64::MIN_POSITIVE);
             self.audit.linear_momentum = Some(share(0));
             self.audit.angular_momentum = Some(share(1));
         }
-        (self.audit, ledger([self.start, self.last], works, throughput), last_period)
+        let clutch = runner.powered.conditions.clutch_work;
+        (self.audit, ledger([self.start, self.last], works, clutch, throughput), last_period)
     }
 }
 
-fn ledger(energies: [[f64; 4]; 2], works: [f64; WORKS], throughput: f64) -> EnergyLedger {
+fn ledger(energies: [[f64; 4]; 2], works: [f64; WORKS], clutch: f64, throughput: f64) -> EnergyLedger {
     let both = |k: usize| energies.map(|own| own[k]);
     EnergyLedger {
         kinetic: both(0),
@@ -161,6 +173,7 @@ fn ledger(energies: [[f64; 4]; 2], works: [f64; WORKS], throughput: f64) -> Ener
         outside: works[powered::OUTSIDE],
         mount_damping: works[powered::MOUNT_DAMPING],
         driveline_damping: works[powered::DRIVELINE_DAMPING],
+        clutch,
         throughput,
     }
 }

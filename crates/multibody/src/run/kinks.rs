@@ -4,12 +4,13 @@ use crate::gas_pressure::GasPressure;
 use crate::simulation::{LoadLaw, Simulation};
 use crate::train::Train;
 
-/// Crank angles within one period at which pressures and load have kinks, rising.
+/// Crank angles within one period at which pressures and load have kinks, rising; at which any of their derivatives jumps where `with_bends`.
 pub(crate) fn kinks(
     train: &Train,
     gas: Option<&dyn GasPressure>,
     simulation: &Simulation,
     period: f64,
+    with_bends: bool,
 ) -> Vec<f64> {
     let mut all = Vec::new();
     // Behind a driveline the load's angle is not the crank's: its kinks are left to the control of the steps.
@@ -30,7 +31,7 @@ pub(crate) fn kinks(
     {
         let ratio = train.ratio(index).abs();
         let cycles = (period * ratio / gas.cycle()).round().max(1.0) as usize;
-        for kink in gas.kinks(index) {
+        for kink in if with_bends { gas.bends(index) } else { gas.kinks(index) } {
             for cycle in 0..cycles {
                 let theta =
                     cylinder.firing_angle.unwrap_or(0.0) + (kink + gas.cycle() * cycle as f64) / ratio;

@@ -1,6 +1,6 @@
 //! What happens between two pieces of a run: events, halts, the starter's end.
 
-use crate::run::result::{Happened, Occasion, RunOutcome};
+use crate::run::result::{Happened, Occasion, RunOutcome, Stall};
 use crate::run::runner::Runner;
 use crate::run::watch::{Mark, Watch};
 use crate::simulation::{Action, When};
@@ -83,18 +83,55 @@ impl Runner<'_> {
         self.halt(false);
     }
 
+    /// Opens the clutch: its spring loses its twist.
+    fn open_clutch(&mut self) {
+        if self.powered.conditions.clutch_open {
+            return;
+        }
+        let (theta, state) = (self.state[0], self.state.clone());
+        let before = self.powered.energy(theta, &state)[3];
+        self.powered.conditions.clutch_open = true;
+        self.powered.conditions.clutch_work += self.powered.energy(theta, &state)[3] - before;
+    }
+
     fn act(&mut self, index: usize) -> Option<RunOutcome> {
         let conditions = &mut self.powered.conditions;
         match self.powered.simulation.events[index].action.clone() {
             Action::Misfire(cylinder) => conditions.misfires[cylinder] = true,
             Action::Fuel(share) => conditions.fired.fill(share),
             Action::Load(law) => conditions.load = law,
-            Action::ClutchOpen => conditions.clutch_open = true,
+            Action::ClutchOpen => {
+                self.open_clutch();
+                return None;
+            }
             Action::Stop => return Some(RunOutcome::Stopped),
         }
         let failed = conditions.fired.iter_mut().zip(&conditions.misfires).filter(|(_, misfires)| **misfires);
         failed.for_each(|(fired, _)| *fired = 0.0);
         None
+    }
+
+    /// Keeps the farthest place from which the starter cannot turn the crank on; `left`: what all torques but dry ones give.
+    fn note_stall(&mut self, left: f64) {
+        let Some(starter) = self.powered.simulation.starter.filter(|_| self.powered.conditions.starter)
+        else {
+            return;
+        };
+        let (theta, held_by) = (self.state[0], self.powered.dry_torque());
+        let is_farthest = self.stall.is_none_or(|stall| theta > stall.theta);
+        if left > held_by || !is_farthest {
+            return;
+        }
+        let torque = self.powered.torques.starter;
+        self.stall = Some(Stall {
+            time: self.time,
+            theta,
+            starter: torque,
+            others: left - torque,
+            held_by,
+            missing: held_by - left,
+            ratio: starter.ratio,
+        });
     }
 
     /// The crank stands: friction holds it, or it goes on in the sense that the other torques give it.
@@ -107,6 +144,7 @@ impl Runner<'_> {
         let mut rates = vec![0.0; state.len()];
         self.powered.rates(self.time, theta, &state, &mut rates);
         let left = -self.powered.holding;
+        self.note_stall(left);
         if left.abs() <= self.powered.dry_torque() {
             self.note(Occasion::Held);
             return;

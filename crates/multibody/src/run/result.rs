@@ -1,6 +1,7 @@
 //! What a run returns: plain data.
 
 use crate::reactions::Reactions;
+use crate::run::extremes::RunExtremes;
 use crate::simulation::Tolerances;
 use lanchester_numerics::{Outcome, Statistics};
 use serde::Serialize;
@@ -27,6 +28,12 @@ pub struct Run {
     pub energy: EnergyLedger,
     /// The same over its last period, where the crank turns forward through a whole one and samples mark both its ends.
     pub last_period: Option<EnergyLedger>,
+    /// Largest and smallest values over the whole run.
+    pub extremes: RunExtremes,
+    /// The same over its last period, where the crank turns forward through a whole one.
+    pub last_period_extremes: Option<RunExtremes>,
+    /// Where a starter that never let go could not turn the crank on.
+    pub stall: Option<Stall>,
     /// What must be zero.
     pub audit: Audit,
     /// What it cost.
@@ -42,6 +49,8 @@ impl Run {
             engine: self.engine.clone(),
             samples: self.samples.every(every),
             events: self.events.clone(),
+            extremes: self.extremes.clone(),
+            last_period_extremes: self.last_period_extremes.clone(),
             ..*self
         }
     }
@@ -79,6 +88,25 @@ pub enum RunOutcome {
     },
 }
 
+/// Where a starter could not turn the crank on: the farthest place at which it came to a halt. All torques are those on crankshaft 1.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
+pub struct Stall {
+    /// Time [s].
+    pub time: f64,
+    /// Crank angle [rad].
+    pub theta: f64,
+    /// Torque of the starter [N m].
+    pub starter: f64,
+    /// Torque of gas, weight and driveline there [N m]; negative where they hold the crank back.
+    pub others: f64,
+    /// Torque by which friction and load hold it [N m].
+    pub held_by: f64,
+    /// What is missing to turn on from there [N m].
+    pub missing: f64,
+    /// Turns of the starter for one of the crank.
+    pub ratio: f64,
+}
+
 /// How far a run is.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RunState {
@@ -109,6 +137,8 @@ pub struct Samples {
     pub starter_torque: Vec<f64>,
     /// Torque of dry friction on crankshaft 1 [N m].
     pub friction_torque: Vec<f64>,
+    /// Torque of the friction of the pistons on crankshaft 1 [N m].
+    pub piston_friction_torque: Vec<f64>,
     /// Torque from the ground on crankshaft 1 besides: over the angle, and of an imposed speed's drive [N m].
     pub outside_torque: Vec<f64>,
     /// Torque of the driveline on crankshaft 1 [N m].
@@ -117,6 +147,8 @@ pub struct Samples {
     pub governor: Vec<f64>,
     /// Angle [rad] and speed [rad/s] of the inertias of the driveline.
     pub driveline: Vec<Vec<[f64; 2]>>,
+    /// Twist [rad] of the springs before them, and their torque with their dampers on the inertia behind each [N m]; 0 of an open clutch.
+    pub driveline_springs: Vec<Vec<[f64; 2]>>,
     /// Where the block's origin is [m], axes of the frame; empty with a fixed block, as all of the block.
     pub position: Vec<[f64; 3]>,
     /// Turn of the block: unit quaternion `(w, x, y, z)`.
@@ -152,10 +184,12 @@ impl Samples {
             load_torque: numbers(&self.load_torque),
             starter_torque: numbers(&self.starter_torque),
             friction_torque: numbers(&self.friction_torque),
+            piston_friction_torque: numbers(&self.piston_friction_torque),
             outside_torque: numbers(&self.outside_torque),
             driveline_torque: numbers(&self.driveline_torque),
             governor: numbers(&self.governor),
             driveline: thinned(&self.driveline, every),
+            driveline_springs: thinned(&self.driveline_springs, every),
             position: thinned(&self.position, every),
             orientation: thinned(&self.orientation, every),
             velocity: thinned(&self.velocity, every),
@@ -176,6 +210,7 @@ impl Samples {
             &mut self.load_torque,
             &mut self.starter_torque,
             &mut self.friction_torque,
+            &mut self.piston_friction_torque,
             &mut self.outside_torque,
             &mut self.driveline_torque,
         ] {
@@ -189,6 +224,7 @@ impl Samples {
         }
         alike(&mut self.governor, more);
         alike(&mut self.driveline, more);
+        alike(&mut self.driveline_springs, more);
         alike(&mut self.position, more);
         alike(&mut self.orientation, more);
         alike(&mut self.velocity, more);
@@ -257,6 +293,8 @@ pub struct EnergyLedger {
     pub mount_damping: f64,
     /// Work of the driveline's dampers.
     pub driveline_damping: f64,
+    /// What the first spring of the driveline loses as the clutch opens (negative): nothing holds its twist any more, and it comes to rest by itself.
+    pub clutch: f64,
     /// Sum of the amounts of all works and of the largest energies stored.
     pub throughput: f64,
 }

@@ -1,7 +1,7 @@
 //! A run in progress.
 
 use crate::powered::Powered;
-use crate::run::result::{Cost, Happened, RunState};
+use crate::run::result::{Cost, Happened, RunState, Stall};
 use crate::simulation::Duration;
 
 /// Any time.
@@ -25,6 +25,8 @@ pub(crate) struct Runner<'a> {
     pub step: Option<(bool, f64)>,
     pub cost: Cost,
     pub happened: Vec<Happened>,
+    /// Where the starter could not turn the crank on.
+    pub stall: Option<Stall>,
     pub scale: f64,
     pub watch: &'a dyn Fn(RunState) -> bool,
 }

@@ -4,6 +4,7 @@
 
 mod closed_form;
 mod external;
+mod extremes;
 mod governor;
 mod moving_block;
 mod published;
