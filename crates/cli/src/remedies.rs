@@ -1,13 +1,29 @@
 //! Which option or command mends an error: what only the command line can say. The errors themselves name neither.
 
-use lanchester::{CounterweightError, LayoutSize, LayoutSpaceError};
+use lanchester::multibody::MultibodyError;
+use lanchester::{CounterweightError, CrossCheckError, LayoutSize, LayoutSpaceError};
 use std::any::Any;
 
 /// What to write on the command line so that `error` goes, where an option or a command does it.
 pub fn remedy(error: &dyn Any) -> Option<String> {
     let space = error.downcast_ref().and_then(of_space);
     let counterweight = || error.downcast_ref().and_then(of_counterweight);
-    space.or_else(counterweight).map(str::to_owned)
+    let run = || error.downcast_ref().and_then(of_run);
+    space.or_else(counterweight).or_else(run).map(str::to_owned)
+}
+
+fn of_run(error: &CrossCheckError) -> Option<&'static str> {
+    Some(match error {
+        CrossCheckError::Multibody(MultibodyError::TooLong { samples, most_samples, .. }) => {
+            match samples > most_samples {
+                true => {
+                    "--for makes it shorter, --step takes a larger sample step, --long lets it take as long as it takes"
+                }
+                false => "--for makes it shorter, --long lets it take as long as it takes",
+            }
+        }
+        _ => return None,
+    })
 }
 
 fn of_space(error: &LayoutSpaceError) -> Option<&'static str> {

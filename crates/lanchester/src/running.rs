@@ -6,7 +6,7 @@ use crate::graph_report::{bond_graph_report, has_graph};
 use crate::mounted::{MountSpeeds, mounts};
 use crate::pressure::measured::TraceFile;
 use crate::simulation::plan::SimulateRequest;
-use crate::simulation::simulate;
+use crate::simulation::{simulate, simulation_beside};
 use crate::stress::rule::{RuleRequest, has_rule};
 use crate::stress::rule_torsion::crank_rule_of_file;
 use crate::torque_report::{
@@ -17,8 +17,9 @@ use lanchester_file::EngineFile;
 use lanchester_mechanism::{MountStudy, TorqueRequest};
 use lanchester_model::Engine;
 use lanchester_report::{
-    BondGraphResult, CrankRule, CrossCheck, Section, SimulationResult, TorsionResult, bond_graph_section,
-    crosscheck_section, mounts_section, rule_section, simulation_section, torsion_section,
+    BondGraphResult, ClosedFormBeside, CrankRule, CrossCheck, Section, SimulationResult, TorsionResult,
+    bond_graph_section, crosscheck_section, mounts_section, rule_section, simulation_section,
+    torsion_section,
 };
 
 /// Speeds and highest order of the section on mounts.
@@ -45,6 +46,8 @@ pub struct Running {
     pub mounts: Option<MountStudy>,
     /// The run in time that the file describes.
     pub simulation: Option<SimulationResult>,
+    /// The closed form beside that run.
+    pub beside: Option<ClosedFormBeside>,
     /// How far closed form and bond graph agree with the simulation, where the file describes a run.
     pub crosscheck: Option<CrossCheck>,
     /// The engine as a bond graph.
@@ -109,6 +112,10 @@ pub fn running(file: &EngineFile, traces: Result<&[TraceFile], String>, speed: f
         section(tasks.simulation.is_some(), "the simulated run is", &traces, &mut warnings, |traces| {
             simulate(file, traces, &SimulateRequest::default()).map_err(|error| error.to_string())
         });
+    let beside = match (&simulation, &traces) {
+        (Some(result), Ok(traces)) => simulation_beside(file, traces, result),
+        _ => None,
+    };
     let crosscheck =
         section(tasks.simulation.is_some(), "the second opinion is", &traces, &mut warnings, |traces| {
             let request = CrossCheckRequest {
@@ -123,7 +130,19 @@ pub fn running(file: &EngineFile, traces: Result<&[TraceFile], String>, speed: f
         bond_graph_report(engine, traces, input, speed)
     });
     let strength = strength.unwrap_or_default();
-    Running { torque, bearings, films, strength, torsion, mounts, simulation, crosscheck, graph, warnings }
+    Running {
+        torque,
+        bearings,
+        films,
+        strength,
+        torsion,
+        mounts,
+        simulation,
+        beside,
+        crosscheck,
+        graph,
+        warnings,
+    }
 }
 
 /// What the section on torque is called where it is left out.
@@ -151,7 +170,7 @@ impl Running {
         let bearings = self.bearings.as_ref().and_then(|study| study.section(engine));
         let films = self.films.as_ref().and_then(BearingFilms::section);
         let mounts = self.mounts.as_ref().map(|study| mounts_section(engine, study));
-        let simulated = self.simulation.as_ref().map(simulation_section);
+        let simulated = self.simulation.as_ref().map(|run| simulation_section(run, self.beside.as_ref()));
         let crosscheck = self.crosscheck.as_ref().map(crosscheck_section);
         let graph = self.graph.as_ref().map(bond_graph_section);
         let strength = rule_section(&self.strength);

@@ -1,5 +1,6 @@
 //! A run of the multibody simulation with the gas, friction and block of an engine file.
 
+mod beside;
 pub(crate) mod crank_bodies;
 pub(crate) mod gas_torque;
 mod heat;
@@ -12,11 +13,12 @@ use crate::pressure::measured::TraceFile;
 use crate::pressure::simulated::GivenGas;
 use crate::simulation::plan::action_words;
 use crate::simulation::prepared::{Prepared, prepare};
+pub use beside::simulation_beside;
 use lanchester_file::EngineFile;
 pub use lanchester_model::RunLength;
-use lanchester_model::{MainSharing, NamedPoint};
-use lanchester_multibody::{BlockMotion, GasPressure, MainRule, Motion, Occasion, Run, RunState};
-use lanchester_report::{PeriodicResult, PointMotion, SIMULATION_VERSION, SimulationResult};
+use lanchester_model::{Action, MainSharing, NamedPoint};
+use lanchester_multibody::{BlockMotion, GasPressure, MainRule, Motion, Occasion, Run, RunOutcome, RunState};
+use lanchester_report::{PeriodSummary, PeriodicResult, PointMotion, SIMULATION_VERSION, SimulationResult};
 use nalgebra::Vector3;
 pub use plan::SimulateRequest;
 use std::f64::consts::PI;
@@ -76,6 +78,19 @@ pub fn simulate_watched(
             notes.push(format!("Event {} ({}) never came.", index + 1, action_words(&event.action)));
         }
     }
+    if let Some(starter) = &simulation.starter
+        && run.stall.is_none()
+        && matches!(run.outcome, RunOutcome::Complete)
+        && periodic.is_none()
+        && simulation.start_speed < starter.until
+        && !run.events.iter().any(|happened| happened.what == Occasion::StarterOff)
+    {
+        notes.push(format!(
+            "The starter still turns the crank at the end: it comes to {:.0} rpm at the most, and lets go at {:.0} rpm.",
+            run.extremes.speed.most.value * 30.0 / PI,
+            starter.until * 30.0 / PI
+        ));
+    }
     let fastest = run.samples.speed.iter().fold(0.0f64, |most, speed| most.max(speed.abs()));
     if fastest > BEYOND * engine.speed.highest.max(simulation.start_speed) {
         notes.push(format!(
@@ -90,6 +105,11 @@ pub fn simulate_watched(
     let points = named.map(|point| motion_of(point, &run)).collect();
     let heat =
         given.as_ref().and_then(|_| heat::period_heat(engine, traces, &simulation, &run, train.revolutions));
+    let mounts: Vec<String> =
+        train.mounts.iter().filter(|_| on_mounts).map(|mount| mount.name.clone()).collect();
+    let changes_fuel = |action: &Action| matches!(action, Action::Misfire(_) | Action::Fuel(_));
+    let is_fired_throughout = !simulation.events.iter().any(|event| changes_fuel(&event.action))
+        && (simulation.governor.is_none() || gas.is_none());
     let gears = train.rotors.iter().skip(1).map(|rotor| rotor.name.clone()).collect();
     Ok(SimulationResult {
         version: SIMULATION_VERSION,
@@ -98,7 +118,8 @@ pub fn simulate_watched(
         notes,
         revolutions: train.revolutions,
         actions: simulation.events.iter().map(|event| action_words(&event.action)).collect(),
-        mounts: train.mounts.iter().filter(|_| on_mounts).map(|mount| mount.name.clone()).collect(),
+        period: PeriodSummary::of(&run, train.revolutions, &mounts),
+        mounts,
         mains: train.rotors[..train.crankshafts].iter().map(|rotor| rotor.mains.clone()).collect(),
         main_rule: match input.and_then(|input| input.mains) {
             Some(MainSharing::Springs) => MainRule::Springs,
@@ -107,6 +128,7 @@ pub fn simulate_watched(
         },
         periodic,
         every,
+        is_fired_throughout,
         gears,
         heat,
         points,

@@ -206,7 +206,9 @@ pub fn simulation_brief(result: &SimulationResult) -> String {
             }
             "simulated-mounts" => {
                 lines.extend((0..table.rows.len()).map(|row| {
-                    (format!("largest force, {}", quantity(&table, row, 0)), quantity(&table, row, 1))
+                    // That of the whole run, where it is more than its last period.
+                    let column = 2.min(table.columns.len() - 1);
+                    (format!("largest force, {}", quantity(&table, row, 0)), quantity(&table, row, column))
                 }));
             }
             _ => {}

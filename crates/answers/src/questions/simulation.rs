@@ -8,7 +8,7 @@ use crate::state::superseded;
 use lanchester::file::event_from_words;
 use lanchester::model::NamedPoint;
 use lanchester::multibody::{LoadLaw, MainRule, RunOutcome};
-use lanchester::report::{SimulationResult, period_flows, run_flows, simulation_words};
+use lanchester::report::{SimulationResult, extreme_rows, period_flows, run_flows, simulation_words};
 use lanchester::task::option;
 use lanchester::{RunLength, SimulateRequest, simulate_watched};
 use schemars::JsonSchema;
@@ -114,6 +114,14 @@ struct SimulationAnswer {
     gear_torques: Vec<NamedCurve>,
     /// Force of the teeth on every driven shaft whose pressure angle the file gives [N], its size.
     gear_forces: Vec<NamedCurve>,
+    /// Twists of the springs of the driveline [rad]; empty without one.
+    driveline_twists: Vec<NamedCurve>,
+    /// Their torques with their dampers on the inertia behind each [N m].
+    driveline_torques: Vec<NamedCurve>,
+    /// Speeds of the inertias of the driveline [rad/s].
+    driveline_speeds: Vec<NamedCurve>,
+    /// Largest and smallest values of the whole run, beside those of the last period.
+    extremes: Vec<RunExtreme>,
     /// What put energy in, positive, and what took or stores it, negative [J].
     energy: Vec<EnergyPart>,
     /// The same over the last period, from the fuel on where a cycle computes the pressures; empty without a whole one.
@@ -137,6 +145,23 @@ struct PointPath {
     name: String,
     /// Displacement from where it is with the block as drawn [m]: x, y and z.
     displacement: Vec<[f64; 3]>,
+}
+
+/// An extreme of the run.
+#[derive(Debug, Serialize, JsonSchema)]
+struct RunExtreme {
+    /// What.
+    quantity: String,
+    /// Its unit, SI.
+    unit: String,
+    /// Over the whole run.
+    value: f64,
+    /// When [s].
+    time: f64,
+    /// At which crank angle [rad].
+    theta: f64,
+    /// Over the last period.
+    last_period: f64,
 }
 
 /// A work, or a change of what is stored.
@@ -260,6 +285,7 @@ fn answer(result: &SimulationResult) -> SimulationAnswer {
         ("load", &samples.load_torque),
         ("starter", &samples.starter_torque),
         ("friction", &samples.friction_torque),
+        ("pistons' friction", &samples.piston_friction_torque),
         ("driveline", &samples.driveline_torque),
         ("drive and others", &samples.outside_torque),
     ];
@@ -299,6 +325,13 @@ fn answer(result: &SimulationResult) -> SimulationAnswer {
     let gear_forces = shafts().map(|(shaft, name)| {
         named(name.clone(), &|k| rotor_of(k, shaft).map_or(0.0, |rotor| size(&rotor.gear_force)))
     });
+    let links = samples.driveline.first().map_or(0, Vec::len);
+    let of_link = |value: &dyn Fn(usize, usize) -> f64| -> Vec<NamedCurve> {
+        (0..links).map(|link| named(format!("{}", link + 1), &|k| value(k, link))).collect()
+    };
+    let spring = |k: usize, link: usize| {
+        samples.driveline_springs.get(k).and_then(|all| all.get(link)).copied().unwrap_or_default()
+    };
     let points = result.points.iter().filter(|point| !point.displacement.is_empty());
     let points = points.map(|point| PointPath {
         name: point.name.clone(),
@@ -332,6 +365,20 @@ fn answer(result: &SimulationResult) -> SimulationAnswer {
         gear_torques: gear_torques.collect(),
         // Without a pressure angle there is none.
         gear_forces: gear_forces.filter(|curve| curve.values.iter().any(|force| *force != 0.0)).collect(),
+        driveline_twists: of_link(&|k, link| spring(k, link)[0]),
+        driveline_torques: of_link(&|k, link| spring(k, link)[1]),
+        driveline_speeds: of_link(&|k, link| samples.driveline[k][link][1]),
+        extremes: extreme_rows(result)
+            .into_iter()
+            .map(|row| RunExtreme {
+                quantity: row.quantity,
+                unit: row.unit.to_owned(),
+                value: row.whole.value,
+                time: row.whole.time,
+                theta: row.whole.theta,
+                last_period: row.last_period.value,
+            })
+            .collect(),
         energy: parts(run_flows(result)),
         period_energy: parts(period_flows(result).unwrap_or_default()),
         energy_error: run.audit.energy,

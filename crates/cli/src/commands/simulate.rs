@@ -13,12 +13,12 @@ use lanchester::model::NamedPoint;
 use lanchester::multibody::{LoadLaw, PeriodicOutcome, ReactsOn, RunOutcome};
 use lanchester::report::{
     SimulationColumns, SimulationResult, simulation_brief, simulation_energy_columns,
-    simulation_events_columns, simulation_figures, simulation_orders_columns, simulation_reactions_columns,
-    simulation_text, simulation_trace_columns,
+    simulation_events_columns, simulation_extremes_columns, simulation_figures, simulation_orders_columns,
+    simulation_reactions_columns, simulation_text, simulation_trace_columns,
 };
 use lanchester::table::{Column, Form, Rows, TableWriter, Values};
 use lanchester::task::option;
-use lanchester::{RunLength, SimulateRequest, simulate_watched};
+use lanchester::{RunLength, SimulateRequest, simulate_watched, simulation_beside};
 
 pub fn run(arguments: &SimulateArguments, colour: bool) -> Result<u8, Failure> {
     let of_columns = matches!(arguments.format, SimulationFormat::Csv | SimulationFormat::Parquet);
@@ -81,7 +81,8 @@ pub fn run(arguments: &SimulateArguments, colour: bool) -> Result<u8, Failure> {
     let result = simulate_watched(&opened.file, &traces, &request, &|_| run.goes_on());
     let result = result.map_err(Failure::refused)?;
     if let Some(folder) = &arguments.figures {
-        write_figures(folder, &arguments.file, &simulation_figures(&result))?;
+        let closed = simulation_beside(&opened.file, &traces, &result);
+        write_figures(folder, &arguments.file, &simulation_figures(&result, closed.as_ref()))?;
     }
     match arguments.format {
         SimulationFormat::Text => {
@@ -103,6 +104,7 @@ fn columns(result: &SimulationResult, table: Option<SimulationTable>) -> Simulat
         SimulationTable::Reactions => simulation_reactions_columns(result),
         SimulationTable::Orders => simulation_orders_columns(result),
         SimulationTable::Energy => simulation_energy_columns(result),
+        SimulationTable::Extremes => simulation_extremes_columns(result),
         SimulationTable::Events => simulation_events_columns(result),
     }
 }

@@ -115,6 +115,8 @@ pub enum SimulationTable {
     Reactions,
     /// Loads, torque, speed and motion of the block by order of the last period, real and imaginary parts.
     Orders,
+    /// Largest and smallest values of the whole run, and of its last period.
+    Extremes,
     /// Works and stored energies.
     Energy,
     /// Events.

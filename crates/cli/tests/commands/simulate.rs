@@ -29,7 +29,8 @@ fn a_start_of_the_generator_set_is_told() {
         "Event 3 (load 40 N m) never came.",
         "Speed in the last period",
         "Block in the last period",
-        "Mounts in the last period",
+        "Mounts: largest force",
+        "Largest and smallest values over the whole run",
         "Main bearings",
         "  whole run  ",
         "Audit: energy",
@@ -65,7 +66,7 @@ fn csv_and_json_hold_the_same_run() {
     assert!((at("/run/samples/theta/18") - turn).abs() < 1e-9);
     assert!((at("/run/samples/speed/18") - 2000.0 * turn / 30.0).abs() < 1e-9);
     assert!((cell(&csv, "outside_torque", 18) - at("/run/samples/outside_torque/18")).abs() < 1e-9, "{csv}");
-    for table in ["reactions", "energy", "events", "trace"] {
+    for table in ["reactions", "extremes", "energy", "events", "trace"] {
         let csv = output(&folder, 0, &of(&["--format", "csv", "--table", table]));
         assert!(!csv.is_empty(), "{table}");
     }
@@ -140,7 +141,22 @@ fn bad_input_is_told() {
         &["--for", "0.1 s"],
         &["leave a motion of it free"],
     );
-    refused("simulate-long", SET, same, &["--for", "1000000 revolutions"], &["evaluations", "long run"]);
+    refused(
+        "simulate-long",
+        SET,
+        same,
+        &["--for", "1000000 revolutions"],
+        &["evaluations", "long run", "--long"],
+    );
+    // A run that no machine could make is told in words, never as "inf".
+    let folder = changed_example("simulate-endless", SET, same);
+    let told = message(&folder, 2, &["simulate", "engine.toml", "--for", "1e300 revolutions"]);
+    assert!(
+        told.contains("more evaluations of the equations of motion than could ever be made")
+            && !told.contains("inf"),
+        "{told}"
+    );
+    assert!(told.contains("where 1e7 are allowed") && told.contains("where 1e6 are allowed"), "{told}");
     refused("simulate-many", SET, same, &["--for", "100 revolutions", "--step", "0.001 deg"], &["samples"]);
     refused("simulate-cylinder", SET, same, &["--misfire", "4"], &["from 1 to 3"]);
     refused("simulate-tolerance", SET, same, &["--tolerance", "1"], &["tolerance"]);
@@ -160,6 +176,21 @@ fn a_weak_starter_and_a_load_too_large_are_outcomes() {
     let weak = changed_example("simulate-weak", SET, |text| text.replace("\"6 N m\"", "\"0.5 N m\""));
     let text = output(&weak, 0, &["simulate", "engine.toml", "--for", "2 s", "--block", "fixed"]);
     assert!(text.contains("the crank comes to rest at"), "{text}");
+    // 0.5 N m by 12, less what weight and gas take, against 7.404 N m of friction.
+    for words in [
+        "The starter is too weak: the crank stalls at 0 deg",
+        "6.000 N m at the crankshaft",
+        "2.208 N m are missing",
+        "0.1840 N m at the starter",
+    ] {
+        assert!(text.replace('\n', " ").contains(words), "{words}: {text}");
+    }
+    // On its mounts the run goes on with a crank that stands, and says the same; at rest no energy is amiss.
+    let moving = output(&weak, 0, &["simulate", "engine.toml", "--for", "2 s"]);
+    assert!(
+        moving.contains("The starter is too weak") && !moving.contains("Audit: energy 1.7e4"),
+        "{moving}"
+    );
     let heavy = changed_example("simulate-heavy", SET, same);
     let text = output(
         &heavy,
@@ -236,6 +267,17 @@ fn crosscheck_lists_every_condition_and_what_is_missing() {
     assert!(rows.iter().all(|row| row["verdict"] == "agrees") && rows.len() > 8);
     let csv = output(&folder, 0, &["crosscheck", "engine.toml", "--format", "csv"]);
     assert!(csv.lines().count() > rows.len(), "{csv}");
+    // Condition B has the change of every load by order with its estimate, in one form of numbers with their units.
+    let folder_b = changed_example("crosscheck-b", "three-cylinder.toml", same);
+    let json =
+        output_json(&folder_b, 0, &["crosscheck", "engine.toml", "--condition", "b", "--format", "json"]);
+    let rows = json["conditions"][0]["rows"].as_array().unwrap();
+    for kind in ["force", "couple", "roll moment"] {
+        let name = format!("{kind}, change by the free speed");
+        let own: Vec<_> = rows.iter().filter(|row| row["quantity"] == name.as_str()).collect();
+        assert!(own.len() > 2 && own[0]["order"].is_null(), "{kind}: {own:?}");
+        assert!(own.iter().all(|row| row["reason"].as_str().unwrap().contains("to the first order")));
+    }
     // A bar below rounding is not kept, and the exit status says so.
     let text = output(&folder, 1, &["crosscheck", "engine.toml", "--bar", "1e-19"]);
     assert!(text.contains("disagrees"), "{text}");

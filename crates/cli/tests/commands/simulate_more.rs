@@ -1,6 +1,6 @@
 //! `simulate`: state at the start, events and points of the command, Parquet, teeth, crankshafts as bodies, tolerances by kind of state, dead time.
 
-use crate::program::{changed_example, lanchester, message, output, output_json, same};
+use crate::program::{changed_example, lanchester, message, number, output, output_json, same};
 use lanchester::table::{Bytes, Column, TableReader, Values};
 
 /// A column of a CSV text by its head.
@@ -187,4 +187,69 @@ fn tolerances_and_dead_time_reach_the_run() {
     assert_eq!(found["run"]["tolerances"]["velocity"], 1e-5);
     let factors = found["run"]["samples"]["governor"].as_array().unwrap();
     assert_eq!(factors.len(), found["run"]["samples"]["time"].as_array().unwrap().len());
+}
+
+/// The largest values are those of the whole run: after a start they are not those of its last period, and text, JSON and trace agree on them.
+#[test]
+fn the_start_has_the_largest_values() {
+    let folder = changed_example("simulate-extremes", "generator-set-3.toml", same);
+    let arguments = ["simulate", "engine.toml", "--for", "3 s"];
+    let json = output_json(&folder, 0, &[&arguments[..], &["--format", "json"]].concat());
+    let csv = output(&folder, 0, &[&arguments[..], &["--format", "csv"]].concat());
+    let [time, x, y, z] =
+        ["time [s]", "front left force_x [N]", "front left force_y [N]", "front left force_z [N]"]
+            .map(|head| column(&csv, head));
+    let sizes = (0..time.len()).map(|k| (x[k] * x[k] + y[k] * y[k] + z[k] * z[k]).sqrt());
+    let (at, sampled) = sizes.enumerate().fold((0, 0.0), |best, own| if own.1 > best.1 { own } else { best });
+    let of = |pointer: &str| number(&json, pointer);
+    let largest = of("/run/extremes/mounts/0/value");
+    // Samples four degrees apart come within a thousandth of it, and never above.
+    assert!(largest >= sampled && largest < 1.001 * sampled, "{largest} {sampled}");
+    assert!((of("/run/extremes/mounts/0/time") - time[at]).abs() < 2e-3 && (0.3..0.5).contains(&time[at]));
+    assert!(largest > 1.3 * of("/period/extremes/mounts/0/value"));
+    assert!(json["period"]["is_whole"].as_bool().unwrap());
+    let names: Vec<&str> = json["period"]["statistics"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .filter_map(|own| own["name"].as_str())
+        .collect();
+    assert!(names.contains(&"speed") && names.contains(&"force of mount front left"), "{names:?}");
+    let text = output(&folder, 0, &arguments);
+    let line = text.lines().find(|line| line.contains("force of mount front left")).expect("it is listed");
+    assert!(line.contains("1067"), "{line}");
+}
+
+/// What the driveline does stands in the text, in the trace and in a figure.
+#[test]
+fn the_driveline_is_told() {
+    let folder = changed_example("simulate-driveline", "generator-set-3.toml", |text| {
+        let own = "\n[[driveline]]\ninertia = \"0.3 kg m2\"\nstiffness = \"4000 N m/rad\"\ndamping = \"2 N m s/rad\"\n";
+        text.replace("speed = \"0 rpm\"", "speed = \"1500 rpm\"") + own
+    });
+    let arguments = [
+        "simulate",
+        "engine.toml",
+        "--for",
+        "0.5 s",
+        "--event",
+        "0.3 s: clutch open",
+        "--figures",
+        "figures",
+    ];
+    let text = output(&folder, 0, &arguments);
+    for words in [
+        "Driveline in the last period",
+        "twist that the opening clutch lets go",
+        "torque of driveline spring 1",
+    ] {
+        assert!(text.contains(words), "{words}: {text}");
+    }
+    assert!(folder.join("figures/simulated-driveline.svg").exists());
+    let csv = output(&folder, 0, &[&arguments[..6], &["--format", "csv"]].concat());
+    let [twist, torque, speed] = ["twist [rad]", "torque [N m]", "speed [rad/s]"]
+        .map(|head| column(&csv, &format!("driveline 1 {head}")));
+    assert!(twist.iter().any(|own| own.abs() > 1e-4) && torque.iter().any(|own| own.abs() > 1.0));
+    assert_eq!((*twist.last().unwrap(), *torque.last().unwrap()), (0.0, 0.0), "the clutch is open");
+    assert!(speed.iter().all(|own| *own > 100.0));
 }

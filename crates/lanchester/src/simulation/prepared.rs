@@ -10,8 +10,8 @@ use crate::simulation::plan::{RunPlan, SimulateRequest, plan};
 use lanchester_file::EngineFile;
 use lanchester_mechanism::LoadError;
 use lanchester_model::{Engine, RotatingKind, RunLength};
-use lanchester_multibody::{Drive, Load, LoadLaw, ReactsOn, Simulation, Train};
-use std::f64::consts::PI;
+use lanchester_multibody::{Drive, Duration, Load, LoadLaw, ReactsOn, Simulation, Train};
+use std::f64::consts::{PI, TAU};
 
 /// A run before it starts.
 pub(crate) struct Prepared {
@@ -43,6 +43,7 @@ pub(crate) fn prepare(
     let mut train = Train::new(engine, &rotor_inertia(engine))?;
     let RunPlan { mut simulation, length, every, reference_speed: speed, mut notes } =
         plan(engine, input, &mut train, request)?;
+    simulation.looks = looks(&simulation, engine.speed.highest);
     simulation.torque = match input {
         Some(input) => input.torque_orders().map_err(LoadError::Unread)?,
         None => Vec::new(),
@@ -106,6 +107,24 @@ pub(crate) fn prepare(
         is_load_chosen,
         notes,
     })
+}
+
+/// Crank angle between places where largest values are looked for, at most [rad], and most of them in a run.
+const LOOKED_AT: f64 = TAU / 360.0;
+const MOST_LOOKS: f64 = 1e6;
+
+/// Places from one sample to the next at which largest values are looked for; `highest`: speed that a free run may come to [rad/s].
+fn looks(simulation: &Simulation, highest: f64) -> usize {
+    let fastest = match &simulation.drive {
+        Drive::Imposed { profile, .. } => profile.iter().map(|[_, speed]| speed.abs()).fold(0.0, f64::max),
+        Drive::Free => simulation.start_speed.abs().max(highest),
+    };
+    let turned = match simulation.duration {
+        Duration::Revolutions(turns) => TAU * turns,
+        Duration::Time(time) => fastest * time,
+    };
+    let parts = (simulation.step / LOOKED_AT * (1.0 - 1e-9)).ceil();
+    if parts > 1.0 && turned / simulation.step * parts <= MOST_LOOKS { parts as usize } else { 1 }
 }
 
 /// What is told of bodies whose inertia is not known. At a free speed without any inertia of crankshaft 1 the run is refused instead.

@@ -124,7 +124,7 @@ fn read_simulate(options: &Options<'_>) -> Result<Run, Failure> {
             own,
             Shown {
                 text: |Simulated(found), _| simulation_text(found),
-                figures: |Simulated(found), _| simulation_figures(found),
+                figures: |Simulated(found), _| simulation_figures(found, None),
                 ..Shown::default()
             },
         ))

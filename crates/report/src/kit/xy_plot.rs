@@ -26,20 +26,49 @@ pub(crate) struct XyPlot<'a> {
     pub curves: Vec<XyCurve>,
 }
 
+/// What a plot shows besides its curves, and how its axes lie.
+#[derive(Default, Clone, Copy)]
+pub(crate) struct Extras<'a> {
+    /// Name of all rays in the legend.
+    pub together: &'a str,
+    /// Straight lines from the origin to points in SI, each with its own name at its end.
+    pub rays: &'a [(String, (f64, f64))],
+    /// Whether the axes follow the values though 0 is not among them.
+    pub fits: bool,
+    /// Lines across the plot at abscissae in SI, with the number of each.
+    pub events: &'a [(f64, usize)],
+}
+
 impl XyPlot<'_> {
     /// Draws it.
     pub fn panel(&self) -> Panel {
-        self.panel_with_rays("", &[])
+        self.panel_with(&Extras::default())
+    }
+
+    /// How many times as large as it is a path is drawn by [`XyPlot::polar`], at 96 px to the inch.
+    pub fn magnification(&self) -> f64 {
+        const PIXEL: f64 = 0.0254 / 96.0;
+        let parts = self.curves.iter().flat_map(|curve| &curve.points).flat_map(|(x, y)| [x.abs(), y.abs()]);
+        let reach = parts.filter(|value| value.is_finite()).fold(self.polar.unwrap_or(0.0), f64::max);
+        let scale = Scale::of(reach, self.units[0]);
+        let axis = Axis::of(-reach / scale.divisor, reach / scale.divisor, 6);
+        (WIDTH - LEFT - RIGHT) * PIXEL / ((axis.high - axis.low) * scale.divisor)
     }
 
     /// The same with straight lines from the origin to points in SI, each with its own name at its end and all with one in the legend.
     pub fn panel_with_rays(&self, together: &str, rays: &[(String, (f64, f64))]) -> Panel {
+        self.panel_with(&Extras { together, rays, ..Extras::default() })
+    }
+
+    /// The same with whatever is asked for.
+    pub fn panel_with(&self, extras: &Extras<'_>) -> Panel {
+        let Extras { together, rays, fits, events } = *extras;
         let ends = || rays.iter().map(|(_, end)| *end);
         let all = || self.curves.iter().flat_map(|curve| curve.points.iter().copied()).chain(ends());
+        let is_empty = self.curves.iter().all(|curve| curve.points.is_empty());
+        let from = if fits && !is_empty { (f64::INFINITY, f64::NEG_INFINITY) } else { (0.0f64, 0.0f64) };
         let range = |values: &mut dyn Iterator<Item = f64>| {
-            values
-                .filter(|v| v.is_finite())
-                .fold((0.0f64, 0.0f64), |(low, high), v| (low.min(v), high.max(v)))
+            values.filter(|v| v.is_finite()).fold(from, |(low, high), v| (low.min(v), high.max(v)))
         };
         let mut x_range = range(&mut all().map(|p| p.0));
         let mut y_range = range(&mut all().map(|p| p.1));
@@ -77,6 +106,28 @@ impl XyPlot<'_> {
         }
         let middle = ((LEFT + right) / 2.0, bottom + 37.0);
         svg.text("muted small", middle, Anchor::Middle, &format!("{} [{}]", self.abscissa, x_scale.unit));
+        let mut marks: Vec<(f64, usize)> = events
+            .iter()
+            .map(|(at, number)| (x_axis.place(at / x_scale.divisor, LEFT, right), *number))
+            .filter(|(x, _)| (LEFT - 0.5..=right + 0.5).contains(x))
+            .collect();
+        marks.sort_by(|a, b| a.0.total_cmp(&b.0));
+        for (x, _) in &marks {
+            svg.line("thin dashed", (*x, top), (*x, bottom));
+        }
+        // Numbers whose labels would run into one another are one label.
+        let mut labels: Vec<(f64, Vec<usize>)> = Vec::new();
+        for (x, number) in marks {
+            match labels.last_mut() {
+                Some((first, numbers)) if x < *first + APART + text_width(&joined(numbers), 12.0) => {
+                    numbers.push(number);
+                }
+                _ => labels.push((x, vec![number])),
+            }
+        }
+        for (x, numbers) in labels {
+            svg.text("small strong halo", (x + 3.0, top + 12.0), Anchor::Start, &joined(&numbers));
+        }
         let place = |&(x, y): &(f64, f64)| {
             (x_axis.place(x / x_scale.divisor, LEFT, right), y_axis.place(y / y_scale.divisor, bottom, top))
         };
@@ -116,6 +167,17 @@ impl XyPlot<'_> {
             y_scale.unit
         );
         Panel::new(svg, description)
+    }
+}
+
+/// Least distance from a label of lines to the next [px].
+const APART: f64 = 8.0;
+
+/// Numbers of lines in a label: "4", "6 7", "8\u{2013}13".
+fn joined(numbers: &[usize]) -> String {
+    match numbers {
+        [first, _, .., last] if last - first + 1 == numbers.len() => format!("{first}\u{2013}{last}"),
+        _ => numbers.iter().map(usize::to_string).collect::<Vec<_>>().join(" "),
     }
 }
 
@@ -163,6 +225,40 @@ fn distance(point: (f64, f64), from: (f64, f64), to: (f64, f64)) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn an_axis_that_fits_leaves_zero_out_and_events_have_one_label_where_they_are_close() {
+        let curve = XyCurve {
+            name: "speed".into(),
+            style: 0,
+            points: (0..=100).map(|k| (f64::from(k) / 100.0, 2000.0 + f64::from(k % 10))).collect(),
+            dots: false,
+        };
+        let plot = XyPlot {
+            abscissa: "time",
+            ordinate: "speed",
+            units: ["s", "rpm"],
+            polar: None,
+            curves: vec![curve],
+        };
+        let events = [(0.1, 1), (0.5, 2), (0.51, 3), (0.52, 4), (3.0, 5)];
+        let drawn = |fits| {
+            let figure = crate::kit::figure::Figure {
+                id: "x".into(),
+                title: String::new(),
+                caption: String::new(),
+                panels: vec![plot.panel_with(&Extras { fits, events: &events, ..Extras::default() })],
+                columns: 1,
+            };
+            figure.svg()
+        };
+        let (fitted, plain) = (drawn(true), drawn(false));
+        // A ripple of half a per cent fills the height; with 0 it would be a line.
+        assert!(fitted.contains(">2010<") && !fitted.contains(">500<"), "{fitted}");
+        assert!(plain.contains(">500<") && !plain.contains(">2002<"), "{plain}");
+        // Three close events have one label, and one beyond the curve has none.
+        assert!(fitted.contains(">2\u{2013}4<") && !fitted.contains(">5<"), "{fitted}");
+    }
 
     #[test]
     fn thinning_keeps_corners_and_shape() {

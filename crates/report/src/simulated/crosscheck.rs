@@ -88,6 +88,17 @@ impl Condition {
         }
     }
 
+    /// At which angles it is compared, where the largest value of one load is told by several rows.
+    fn sampling(self) -> &'static str {
+        match self {
+            Condition::LikeForLike => {
+                " Both sides of a row are taken at the same angles: 180 a revolution, those of bond graphs at 72 beside the dead centres, so that the largest value over the cycle may differ a little between rows of one load."
+            }
+            Condition::FreeSpeed => " Taken at 720 angles a revolution, where condition A has 180.",
+            _ => "",
+        }
+    }
+
     /// What the multibody simulation, or the flexible crankshaft, is held against.
     pub fn held_against(self) -> &'static str {
         match self {
@@ -158,6 +169,22 @@ impl CrossVerdict {
     }
 }
 
+/// Below this size a number is printed with a power of ten.
+const SMALL: f64 = 1e-3;
+
+/// `value` with so many significant digits, however small it is.
+fn digits(value: f64, significant: i32) -> String {
+    match value == 0.0 || !value.is_finite() || value.abs() >= SMALL {
+        true => number::short(value, significant),
+        false => format!("{value:.*e}", significant as usize - 1),
+    }
+}
+
+/// An amount with its unit, for the reason of a row.
+pub fn cross_amount(value: f64, unit: &str) -> String {
+    format!("{} {unit}", digits(value, if value.abs() < SMALL { 2 } else { 4 }))
+}
+
 impl CrossRow {
     /// Difference over scale.
     pub fn share(&self) -> f64 {
@@ -205,10 +232,8 @@ impl ConditionCheck {
             vec![
                 Cell::text(format!("{} [{}]", row.quantity, row.unit)),
                 Cell::text(row.order.map_or("cycle".to_owned(), number::order)),
-                Cell::text(
-                    row.closed_form.or(row.bond_graph).map_or(String::new(), |own| number::short(own, 6)),
-                ),
-                Cell::text(number::short(row.multibody, 6)),
+                Cell::text(row.closed_form.or(row.bond_graph).map_or(String::new(), |own| digits(own, 6))),
+                Cell::text(digits(row.multibody, 6)),
                 power(row.share()),
                 row.bar.map_or(Cell::text("none"), power),
                 Cell::text(row.verdict.name()),
@@ -227,7 +252,10 @@ impl ConditionCheck {
                 Condition::FlexibleCrank => "crosscheck-e",
             },
             title: format!("Condition {}: {}", self.condition.letter(), self.condition.name()),
-            note: "Largest values over the cycle or amplitudes of an order; differences over the largest amplitude of their kind.".into(),
+            note: format!(
+                "Largest values over the cycle or amplitudes of an order; differences over the largest amplitude of their kind.{}",
+                self.condition.sampling()
+            ),
             remark: String::new(),
             columns: head.into_iter().map(Column::words).collect(),
             rows: rows.collect(),

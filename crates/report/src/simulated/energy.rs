@@ -26,7 +26,7 @@ impl Part {
     }
 }
 
-fn parts(e: &EnergyLedger) -> [Part; 12] {
+fn parts(e: &EnergyLedger) -> [Part; 13] {
     let work = |short, long, energy| Part { names: [short, long], energy, is_stored: false };
     let store = |short, long, [start, end]: [f64; 2]| Part {
         names: [short, long],
@@ -42,6 +42,7 @@ fn parts(e: &EnergyLedger) -> [Part; 12] {
         work("drive and others", "work of drive and other torques from the ground", e.outside),
         work("mounts' dampers", "work of dampers of the mounts", e.mount_damping),
         work("driveline's dampers", "work of dampers of the driveline", e.driveline_damping),
+        work("opening clutch", "twist that the opening clutch lets go", e.clutch),
         store("kinetic energy", "stored: kinetic energy", e.kinetic),
         store("mounts' springs", "stored: springs of the mounts", e.mounts),
         store("gravity", "stored: gravity", e.gravity),

@@ -1,5 +1,6 @@
-//! Points of the block and gears of a simulated run.
+//! Points of the block, gears and driveline of a simulated run.
 
+use crate::kit::number;
 use crate::kit::table::{Cell, Table};
 use crate::simulated::columns::{table, words};
 use crate::simulated::result::SimulationResult;
@@ -37,25 +38,21 @@ pub(super) fn points_table(result: &SimulationResult) -> Option<Table> {
         .then(|| table("simulated-points", "Points of the block in the last period", note, columns, rows))
 }
 
-/// Torques of gears, and forces of teeth where their pressure angle is given.
+/// Torques of gears, forces of teeth where their pressure angle is given, and what the bearings carry together.
 pub(super) fn gears_table(result: &SimulationResult) -> Option<Table> {
-    let reactions = result.run.samples.reactions.get(result.last_period())?;
-    if result.gears.is_empty() || reactions.is_empty() {
+    let rotors = result.period.extremes.rotors.get(1..)?;
+    if result.gears.is_empty() || rotors.is_empty() {
         return None;
     }
-    let rows = result.gears.iter().enumerate().map(|(index, name)| {
-        let own = || reactions.iter().filter_map(|all| all.rotors.get(index + 1));
-        let [least, most] =
-            [f64::min, f64::max].map(|pick| own().map(|r| r.gear_torque).reduce(pick).unwrap_or(0.0));
-        let size = |force: [f64; 3]| force.iter().map(|part| part * part).sum::<f64>().sqrt();
-        let force = own().map(|rotor| size(rotor.gear_force)).fold(0.0, f64::max);
-        let bearings = own().map(|rotor| size(rotor.bearings.force)).fold(0.0, f64::max);
+    let rows = result.gears.iter().zip(rotors).map(|(name, rotor)| {
+        let force = rotor.gear_force.value;
         vec![
             Cell::text(name),
-            Cell::number(least, 4),
-            Cell::number(most, 4),
+            Cell::number(rotor.gear_torque.least.value, 4),
+            Cell::number(rotor.gear_torque.most.value, 4),
             if force > 0.0 { Cell::number(force, 5) } else { Cell::text("-") },
-            Cell::number(bearings, 5),
+            Cell::number(rotor.bearing_force.value, 5),
+            Cell::number(rotor.bearing_moment.value, 5),
         ]
     });
     let columns = vec![
@@ -64,7 +61,49 @@ pub(super) fn gears_table(result: &SimulationResult) -> Option<Table> {
         words("largest torque", "N m"),
         words("force of its teeth", "N"),
         words("bearings together", "N"),
+        words("their moment", "N m"),
     ];
-    let note = "Torque of gear or chain on the shaft. Teeth need their pressure angle: `mesh` of [simulation]; without, the bearings lack their force.";
+    let note = "Torque of gear or chain on the shaft. Bearings: sum of their forces, and their moment across the axis about the origin, which is the couple of a shaft whose forces cancel. \
+                Teeth need their pressure angle: `mesh` of [simulation]; without, the bearings lack their force.";
     Some(table("simulated-gears", "Gears and shafts in the last period", note, columns, rows.collect()))
+}
+
+/// The driveline: twist and torque of its springs, speeds of its inertias.
+pub(super) fn driveline_table(result: &SimulationResult) -> Option<Table> {
+    let samples = &result.run.samples;
+    let range = result.last_period();
+    let springs = samples.driveline_springs.get(range.clone())?;
+    let links = samples.driveline.get(range)?;
+    let bounds = |values: &dyn Fn(usize) -> f64| {
+        (0..springs.len())
+            .map(values)
+            .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| [low.min(value), high.max(value)])
+    };
+    let torques = &result.period.extremes.driveline;
+    let rows = torques.iter().enumerate().map(|(index, torque)| {
+        let [least, most] = bounds(&|k| springs[k][index][0].to_degrees());
+        let [slowest, fastest] = bounds(&|k| number::rpm(links[k][index][1]));
+        vec![
+            Cell::text(format!("{}", index + 1)),
+            Cell::number(least, 5),
+            Cell::number(most, 5),
+            Cell::number(torque.least.value, 5),
+            Cell::number(torque.most.value, 5),
+            Cell::number(slowest, 6),
+            Cell::number(fastest, 6),
+        ]
+    });
+    let columns = vec![
+        words("inertia", ""),
+        words("least twist", "deg"),
+        words("largest twist", "deg"),
+        words("least torque", "N m"),
+        words("largest torque", "N m"),
+        words("lowest speed", "rpm"),
+        words("highest speed", "rpm"),
+    ];
+    let note = "Twist and torque of the spring before each inertia, its damper included, positive where it drives the inertia; 0 where the clutch is open.";
+    let rows: Vec<Vec<Cell>> = rows.collect();
+    (!rows.is_empty() && !springs.is_empty())
+        .then(|| table("simulated-driveline", "Driveline in the last period", note, columns, rows))
 }

@@ -3,81 +3,19 @@
 use crate::kit::figure::Figure;
 use crate::kit::number;
 use crate::kit::table::{Cell, Column, Table};
+use crate::simulated::beside::ClosedFormBeside;
 use crate::simulated::figure::{curve, figure, panel};
+use crate::simulated::period::SimulatedOrder;
 use crate::simulated::result::SimulationResult;
-use lanchester_results::{OrderLoads, TwoSided, amplitude};
-use num_complex::Complex64;
+use lanchester_multibody::MainRule;
 use std::f64::consts::TAU;
 
-/// Highest order of the table, and of the file of all.
+/// Highest order of the table.
 const SHOWN: f64 = 6.0;
-const MOST: f64 = 24.0;
 
 /// Orders below this share of the largest of every kind are left out of the table: not rounding in print (`kit::rounding`)
 /// but what the integrator's tolerances leave open.
 const NOTHING: f64 = 1e-6;
-
-/// One order of the last period: what the crank train does to the block and at its shaft, and how speed and block follow.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct SimulatedOrder {
-    /// Loads on the block and torque at crankshaft 1.
-    pub loads: OrderLoads,
-    /// Speed of crankshaft 1 [rad/s].
-    pub speed: Complex64,
-    /// Parts of the motion of the block's origin across the crank axis [m]; 0 with a fixed block.
-    pub motion: TwoSided,
-}
-
-impl SimulationResult {
-    /// The last whole period by order, at the crank angle itself; empty where its samples are not equally spaced in the angle, or none is whole.
-    pub fn orders(&self) -> Vec<SimulatedOrder> {
-        let samples = &self.run.samples;
-        let range = self.last_period();
-        let theta = &samples.theta[range.clone()];
-        let period = TAU * f64::from(self.revolutions);
-        let (Some(first), Some(last)) = (theta.first(), theta.last()) else { return Vec::new() };
-        let count = theta.len() - 1;
-        let step = period / count.max(1) as f64;
-        let equal = theta.windows(2).all(|pair| (pair[1] - pair[0] - step).abs() < 1e-9 * period);
-        if count < 8
-            || (last - first - period).abs() > 1e-9 * period
-            || !equal
-            || samples.reactions.is_empty()
-        {
-            return Vec::new();
-        }
-        let range = range.start..range.start + count;
-        let loads = samples.block_loads(range.clone());
-        let (start, revolutions) = (theta[0], f64::from(self.revolutions));
-        let motion: Vec<Complex64> = samples
-            .position
-            .get(range.clone())
-            .unwrap_or_default()
-            .iter()
-            .map(|p| Complex64::new(p[0], p[1]))
-            .collect();
-        let highest = (MOST * f64::from(self.revolutions)).min(count as f64 / 4.0) as u32;
-        let orders = (0..=highest).map(|cycles| {
-            let order = f64::from(cycles) / f64::from(self.revolutions);
-            SimulatedOrder {
-                loads: loads.order(order, period),
-                speed: amplitude(
-                    samples.speed[range.clone()].iter().copied(),
-                    count,
-                    start,
-                    revolutions,
-                    order,
-                ),
-                motion: if motion.is_empty() {
-                    TwoSided::default()
-                } else {
-                    TwoSided::of_samples(&motion, start, revolutions, order)
-                },
-            }
-        });
-        orders.collect()
-    }
-}
 
 /// Sizes of one order in the order of the columns.
 fn sizes(one: &SimulatedOrder) -> [f64; 9] {
@@ -89,8 +27,8 @@ fn sizes(one: &SimulatedOrder) -> [f64; 9] {
         one.loads.roll_moment.norm(),
         one.loads.shaft_torque.norm(),
         number::rpm(one.speed.norm()),
-        1e3 * one.motion.forward.norm(),
-        1e3 * one.motion.backward.norm(),
+        1e3 * one.motion[0].norm(),
+        1e3 * one.motion[1].norm(),
     ]
 }
 
@@ -170,8 +108,8 @@ pub(super) fn order_series(result: &SimulationResult) -> Vec<(String, Vec<f64>)>
             loads.roll_moment,
             loads.shaft_torque,
             one.speed,
-            one.motion.forward,
-            one.motion.backward,
+            one.motion[0],
+            one.motion[1],
         ];
         let values = all.iter().flat_map(|value| [value.re, value.im]);
         for (column, value) in columns.iter_mut().zip(std::iter::once(loads.order).chain(values)) {
@@ -183,28 +121,23 @@ pub(super) fn order_series(result: &SimulationResult) -> Vec<(String, Vec<f64>)>
 
 /// Largest load of every joint of the cylinders over the last period.
 pub(crate) fn joints_table(result: &SimulationResult) -> Option<Table> {
-    let reactions = result.run.samples.reactions.get(result.last_period())?;
-    let cylinders = reactions.first()?.cylinders.len();
-    let rows = (0..cylinders).map(|index| {
-        let largest = |pick: &dyn Fn(&lanchester_multibody::CylinderReactions) -> f64| {
-            reactions.iter().map(|all| pick(&all.cylinders[index])).fold(f64::NEG_INFINITY, f64::max)
-        };
-        let size = |force: [f64; 3]| force.iter().map(|part| part * part).sum::<f64>().sqrt();
+    let cylinders = &result.period.extremes.cylinders;
+    let rows = cylinders.iter().enumerate().map(|(index, own)| {
         vec![
             Cell::text(format!("{}", index + 1)),
-            Cell::number(largest(&|c| c.side_thrust.abs()), 5),
-            Cell::number(largest(&|c| size(c.piston_pin.force)), 5),
-            Cell::number(largest(&|c| size(c.lower_pin.force)), 5),
-            Cell::number(largest(&|c| -c.throw_frame[0]), 5),
-            Cell::number(largest(&|c| c.throw_frame[0]), 5),
-            Cell::number(largest(&|c| c.throw_frame[1]), 5),
-            Cell::number(-largest(&|c| -c.throw_frame[1]), 5),
+            Cell::number(own.side_thrust.value, 5),
+            Cell::number(own.piston_pin.value, 5),
+            Cell::number(own.lower_pin.value, 5),
+            Cell::number(-own.along_throw.least.value, 5),
+            Cell::number(own.along_throw.most.value, 5),
+            Cell::number(own.across_throw.most.value, 5),
+            Cell::number(own.across_throw.least.value, 5),
         ]
     });
     let names = ["side thrust", "piston pin", "lower pin", "inwards", "outwards", "driving", "braking"];
     let mut columns = vec![Column::words("cylinder")];
     columns.extend(names.map(|name| Column::numbers(name, "N")));
-    Some(Table {
+    (!cylinders.is_empty()).then(|| Table {
         id: "simulated-joints",
         title: "Joints: largest loads in the last period".into(),
         note: "Lower pin: crankpin or knuckle pin. The last four: extremes of the force of the rod on the crankpin, along its throw and across it, 0 for a knuckle pin.".into(),
@@ -256,32 +189,53 @@ fn over_angle(result: &SimulationResult) -> Vec<Figure> {
     vec![pistons, rods]
 }
 
-/// Polar diagrams of the main bearings by the rule of the run, and of the crankpins about their throws.
-pub(crate) fn reaction_figures(result: &SimulationResult) -> Vec<Figure> {
+/// Polar diagrams of the main bearings by the rule of the run, and of the crankpins about their throws; those of the closed form beside them.
+pub(crate) fn reaction_figures(result: &SimulationResult, closed: Option<&ClosedFormBeside>) -> Vec<Figure> {
     let Some(reactions) = result.run.samples.reactions.get(result.last_period()).filter(|all| all.len() > 2)
     else {
         return Vec::new();
     };
-    let rule =
-        lanchester_multibody::MainRule::ALL.iter().position(|rule| *rule == result.main_rule).unwrap_or(0);
+    let rule = MainRule::ALL.iter().position(|rule| *rule == result.main_rule).unwrap_or(0);
+    // The closed form cuts the shaft at every main.
+    let closed_mains = closed.filter(|closed| result.main_rule == MainRule::Cut && !closed.mains.is_empty());
     let mut panels = Vec::new();
     for (shaft, planes) in result.mains.iter().enumerate() {
         let of = |main: usize| -> Vec<(f64, f64)> {
             let loads = reactions.iter().filter_map(|all| all.rotors.get(shaft)?.mains[rule].get(main));
             loads.map(|[x, y]| (*y, *x)).collect()
         };
-        let curves: Vec<_> = (0..planes.len())
-            .map(|main| curve(&format!("{}.{}", shaft + 1, main + 1), main, of(main)))
-            .collect();
-        if planes.len() > 1 {
-            panels.push(panel(["y", "x"], ["N", "N"], Some(0.0), curves));
+        let name = |main: usize| format!("{}.{}", shaft + 1, main + 1);
+        if planes.len() < 2 {
+            continue;
+        }
+        let Some(theirs) = closed_mains.and_then(|closed| closed.mains.get(shaft)) else {
+            let curves = (0..planes.len()).map(|main| curve(&name(main), main, of(main)));
+            panels.push(panel(["y", "x"], ["N", "N"], Some(0.0), curves.collect()));
+            continue;
+        };
+        let reach = (0..planes.len()).flat_map(of).flat_map(|(x, y)| [x.abs(), y.abs()]).fold(0.0, f64::max);
+        for main in 0..planes.len() {
+            let mut curves = vec![curve("simulated", 0, of(main))];
+            if let Some(own) = theirs.get(main) {
+                curves.push(curve("closed form", 2, closed_path(own)));
+            }
+            let axes = [format!("{}, y", name(main)), format!("{}, x", name(main))];
+            panels.push(panel([&axes[0], &axes[1]], ["N", "N"], Some(reach), curves));
         }
     }
+    let beside = match closed {
+        Some(closed) => format!(
+            " Closed form: `bearings` at {} rpm, at a constant speed, without weight, in a block that stands still.",
+            number::short(number::rpm(closed.speed), 5)
+        ),
+        None => String::new(),
+    };
     let mut figures = over_angle(result);
     if !panels.is_empty() {
         let caption = format!(
-            "Force of the journals on their bearings in the last period, axes of the block, by the rule `{}`.",
-            result.main_rule.name()
+            "Force of the journals on their bearings in the last period, axes of the block, by the rule `{}`.{}",
+            result.main_rule.name(),
+            if closed_mains.is_some() { &beside } else { "" }
         );
         figures.push(figure("simulated-main-bearings", "Main bearings", &caption, panels));
     }
@@ -292,18 +246,40 @@ pub(crate) fn reaction_figures(result: &SimulationResult) -> Vec<Figure> {
             .map(|[along, across]| (across, along))
             .collect()
     };
-    let curves: Vec<_> = (0..reactions[0].cylinders.len())
-        .map(|index| curve(&format!("cylinder {}", index + 1), index, pins(index)))
-        .filter(|curve| curve.points.iter().any(|point| *point != (0.0, 0.0)))
-        .collect();
-    if !curves.is_empty() {
-        let caption = "Force of the rods on their crankpins in the last period, seen from the throw: upwards away from the crank axis, to the right where it drives the crank.";
-        figures.push(figure(
-            "simulated-crankpins",
-            "Crankpins",
-            caption,
-            vec![panel(["across the throw", "along the throw"], ["N", "N"], Some(0.0), curves)],
-        ));
+    let turns = |path: &[(f64, f64)]| path.iter().any(|point| *point != (0.0, 0.0));
+    let drawn: Vec<usize> = (0..reactions[0].cylinders.len()).filter(|index| turns(&pins(*index))).collect();
+    if drawn.is_empty() {
+        return figures;
     }
+    let theirs =
+        |index: usize| closed.and_then(|closed| closed.crankpins.get(index)).filter(|own| !own.is_empty());
+    let heads = ["across the throw", "along the throw"];
+    let caption = "Force of the rods on their crankpins in the last period, seen from the throw: upwards away from the crank axis, to the right where it drives the crank.";
+    let has_closed = drawn.iter().any(|index| theirs(*index).is_some());
+    let panels = if has_closed {
+        let reach = drawn
+            .iter()
+            .flat_map(|index| pins(*index))
+            .flat_map(|(x, y)| [x.abs(), y.abs()])
+            .fold(0.0, f64::max);
+        let of = |index: usize| {
+            let mut curves = vec![curve("simulated", 0, pins(index))];
+            curves.extend(theirs(index).map(|own| curve("closed form", 2, closed_path(own))));
+            let axes = heads.map(|head| format!("cylinder {}, {head}", index + 1));
+            panel([&axes[0], &axes[1]], ["N", "N"], Some(reach), curves)
+        };
+        drawn.into_iter().map(of).collect()
+    } else {
+        let curves =
+            drawn.iter().map(|index| curve(&format!("cylinder {}", index + 1), *index, pins(*index)));
+        vec![panel(heads, ["N", "N"], Some(0.0), curves.collect())]
+    };
+    let caption = if has_closed { format!("{caption}{beside}") } else { caption.to_owned() };
+    figures.push(figure("simulated-crankpins", "Crankpins", &caption, panels));
     figures
+}
+
+/// A path of the closed form as it is drawn: the first part upwards, and back to its start.
+fn closed_path(path: &[[f64; 2]]) -> Vec<(f64, f64)> {
+    path.iter().chain(path.first()).map(|[up, right]| (*right, *up)).collect()
 }

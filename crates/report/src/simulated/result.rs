@@ -1,6 +1,7 @@
 //! A simulated run with what its reader must know.
 
 use crate::simulated::heat::PeriodHeat;
+use crate::simulated::period::{PeriodSummary, SimulatedOrder, last_period};
 use lanchester_multibody::{Followed, MainRule, Occasion, PeriodicOutcome, Run, thinned};
 use serde::Serialize;
 use std::borrow::Cow;
@@ -38,10 +39,15 @@ pub struct SimulationResult {
     /// What is written has every one that was asked for ([`SimulationResult::written`]).
     #[serde(skip)]
     pub every: usize,
+    /// Whether every cylinder has all its fuel to the end, as the closed form has it.
+    #[serde(skip)]
+    pub is_fired_throughout: bool,
     /// Heat of the last period, where the pressures are those of a computed cycle and every cylinder has all its fuel.
     pub heat: Option<PeriodHeat>,
     /// Motion of the points of the block that were asked for.
     pub points: Vec<PointMotion>,
+    /// The last period in numbers.
+    pub period: PeriodSummary,
     /// The run.
     pub run: Run,
 }
@@ -94,6 +100,7 @@ impl SimulationResult {
             gears: self.gears.clone(),
             heat: self.heat,
             points: self.points.iter().map(point).collect(),
+            period: self.period.clone(),
             run: self.run.every(self.every),
             every: 1,
             ..*self
@@ -102,11 +109,12 @@ impl SimulationResult {
 
     /// Samples of the last whole period, or all where there is none.
     pub fn last_period(&self) -> std::ops::Range<usize> {
-        let theta = &self.run.samples.theta;
-        let Some(end) = theta.last() else { return 0..0 };
-        let from = end - TAU * f64::from(self.revolutions) - 1e-9;
-        let first = theta.iter().position(|at| *at >= from).unwrap_or(0);
-        if theta[0] > from + 2e-9 { 0..theta.len() } else { first..theta.len() }
+        last_period(&self.run.samples, self.revolutions)
+    }
+
+    /// The last whole period by order, at the crank angle itself; empty where its samples are not equally spaced in the angle, or none is whole.
+    pub fn orders(&self) -> &[SimulatedOrder] {
+        &self.period.orders
     }
 
     /// What curves over some samples are drawn over, with its unit: revolutions from the first of them, time where the crank turns back.
@@ -128,13 +136,12 @@ impl SimulationResult {
         let range = self.last_period();
         let (speed, time) = (&self.run.samples.speed[range.clone()], &self.run.samples.time[range.clone()]);
         let theta = &self.run.samples.theta[range];
-        let most = speed.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-        let least = speed.iter().copied().fold(f64::INFINITY, f64::min);
+        let bounds = self.period.extremes.speed;
         let mean = match (theta.first(), theta.last(), time.first(), time.last()) {
             (Some(a), Some(b), Some(from), Some(to)) if to > from => (b - a) / (to - from),
             _ => speed.first().copied().unwrap_or(0.0),
         };
-        [most, least, mean]
+        [bounds.most.value, bounds.least.value, mean]
     }
 
     /// Words for something that happened in the run.
@@ -147,10 +154,9 @@ impl SimulationResult {
         let mut all = Vec::new();
         for (shaft, planes) in self.mains.iter().enumerate() {
             for (main, z) in planes.iter().enumerate() {
+                let rotor = self.period.extremes.rotors.get(shaft);
                 let of = |rule: usize| {
-                    let last = self.run.samples.reactions.get(self.last_period()).unwrap_or_default();
-                    let loads = last.iter().filter_map(|r| r.rotors.get(shaft)?.mains[rule].get(main));
-                    loads.map(|[x, y]| x.hypot(*y)).fold(0.0, f64::max)
+                    rotor.and_then(|own| own.mains[rule].get(main)).map_or(0.0, |peak| peak.value)
                 };
                 all.push((shaft + 1, main + 1, *z, [of(0), of(1), of(2)]));
             }

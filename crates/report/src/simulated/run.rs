@@ -5,10 +5,13 @@ use crate::kit::paragraph::push_wrapped;
 use crate::kit::table::{Cell, Table};
 use crate::simulated::columns::{table, words};
 use crate::simulated::energy::energy_table;
-use crate::simulated::moving::{gears_table, points_table};
+use crate::simulated::extremes::extremes_table;
+use crate::simulated::moving::{driveline_table, gears_table, points_table};
 use crate::simulated::orders::{joints_table, orders_table};
 use crate::simulated::result::{PeriodicResult, SimulationResult, occasion_words};
-use lanchester_multibody::{Followed, MainRule, Occasion, Outcome, PeriodicOutcome, Run, RunOutcome};
+use lanchester_multibody::{
+    Bounds, Followed, MainRule, Occasion, Outcome, PeriodicOutcome, Run, RunOutcome, Stall,
+};
 use std::f64::consts::TAU;
 
 fn outcome_words(outcome: &RunOutcome) -> String {
@@ -46,11 +49,17 @@ pub fn simulation_words(result: &SimulationResult) -> Vec<String> {
         number::short(theta / TAU, 6),
         number::short(number::rpm(speed), 6)
     )];
-    all.extend(stalled_words(run));
+    match &run.stall {
+        Some(stall) => all.push(stall_words(stall)),
+        None => all.extend(stalled_words(run)),
+    }
     all.extend(result.periodic.as_ref().map(periodic_words));
     all.extend(result.notes.iter().cloned());
     all
 }
+
+/// Change over a period that the search seeks.
+const CLOSED: f64 = 1e-10;
 
 /// How the search for a periodic motion ended.
 pub(crate) fn periodic_words(periodic: &PeriodicResult) -> String {
@@ -74,7 +83,15 @@ pub(crate) fn periodic_words(periodic: &PeriodicResult) -> String {
     if let Some([re, im]) = periodic.multipliers.first() {
         words += &format!("; largest multiplier {:.6}", re.hypot(*im));
     }
-    words + &format!("; residual {:.1e}, {} iterations.", periodic.residual, periodic.iterations)
+    let short = match periodic.residual < CLOSED {
+        true => String::new(),
+        false => format!(", short of the {CLOSED:.0e} that is sought: what the errors of the steps leave"),
+    };
+    words
+        + &format!(
+            "; it closes to {:.1e} of each kind of state{short}, {} iterations.",
+            periodic.residual, periodic.iterations
+        )
 }
 
 /// What became of the engine where no periodic motion was found.
@@ -87,9 +104,13 @@ fn no_periodic_words(followed: Option<&Followed>) -> String {
     let step = last - before;
     if followed.came_to_rest {
         return format!(
-            "Periodic motion: none found. From the start at {} rpm the engine comes to rest after {} whole periods: that run is shown.",
+            "Periodic motion: none found. From the start at {} rpm the engine comes to rest after {}: that run is shown.",
             rpm(first),
-            followed.periods
+            match followed.periods {
+                0 => "less than a period".to_owned(),
+                1 => "one whole period".to_owned(),
+                periods => format!("{periods} whole periods"),
+            }
         );
     }
     let trend = match step.abs() > 1e-6 * last.abs() {
@@ -103,6 +124,25 @@ fn no_periodic_words(followed: Option<&Followed>) -> String {
         rpm(last),
         followed.periods,
         number::short(followed.time, 4)
+    )
+}
+
+/// Why the starter does not turn the engine over.
+fn stall_words(stall: &Stall) -> String {
+    let torque = |value: f64| number::short(value, 4);
+    let others = match stall.others < 0.0 {
+        true => format!("gas, weight and driveline take {} N m", torque(-stall.others)),
+        false => format!("gas, weight and driveline give {} N m more", torque(stall.others)),
+    };
+    format!(
+        "The starter is too weak: the crank stalls at {} deg after {} s. There it gives {} N m at the crankshaft, {others}, friction and load hold with up to {} N m: to turn on, {} N m are \
+         missing at the crankshaft, {} N m at the starter.",
+        number::short(stall.theta.to_degrees(), 6),
+        number::short(stall.time, 4),
+        torque(stall.starter),
+        torque(stall.held_by),
+        torque(stall.missing),
+        torque(stall.missing / stall.ratio),
     )
 }
 
@@ -172,11 +212,13 @@ pub fn simulation_text(result: &SimulationResult) -> String {
 /// Speed, block, mounts, mains, energy, events.
 pub(crate) fn simulation_tables(result: &SimulationResult) -> Vec<Table> {
     let mut tables = vec![speed_table(result)];
+    tables.extend(extremes_table(result));
     tables.extend(block_tables(result));
     tables.extend(points_table(result));
     tables.extend(orders_table(result));
     tables.extend(joints_table(result));
     tables.extend(gears_table(result));
+    tables.extend(driveline_table(result));
     tables.extend(mains_table(result));
     tables.push(energy_table(result));
     if !result.run.events.is_empty() {
@@ -196,10 +238,8 @@ fn speed_table(result: &SimulationResult) -> Table {
     }
     // Of a crank that stands or turns back the last period says nothing.
     let samples = &result.run.samples;
-    let (most, least) =
-        samples.speed.iter().fold((f64::NEG_INFINITY, f64::INFINITY), |(most, least), speed| {
-            (most.max(*speed), least.min(*speed))
-        });
+    let bounds = result.run.extremes.speed;
+    let (most, least) = (bounds.most.value, bounds.least.value);
     let mean = match (&samples.theta[..], &samples.time[..]) {
         ([first, .., last], [from, .., to]) if to > from => (last - first) / (to - from),
         _ => mean,
@@ -220,23 +260,15 @@ fn block_tables(result: &SimulationResult) -> Vec<Table> {
     if run.samples.position.is_empty() {
         return Vec::new();
     }
-    let range = result.last_period();
-    let extremes = |values: Vec<f64>| {
-        let most = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-        let least = values.iter().copied().fold(f64::INFINITY, f64::min);
-        [most, least]
-    };
-    let row = |(k, axis): (usize, &str)| {
-        let [most, least] =
-            extremes(run.samples.position[range.clone()].iter().map(|p| 1e3 * p[k]).collect());
-        let turn = run.samples.orientation[range.clone()].iter().map(|q| 2e3 * q[k + 1] * q[0].signum());
-        let [turned, back] = extremes(turn.collect());
+    let extremes = &result.period.extremes;
+    let row = |(axis, (place, turn)): (&str, (&Bounds, &Bounds))| {
+        let [least, most] = [place.least.value, place.most.value].map(|value| 1e3 * value);
         vec![
             Cell::text(axis),
             Cell::number(least, 5),
             Cell::number(most, 5),
             Cell::number(most - least, 4),
-            Cell::number(turned - back, 4),
+            Cell::number(1e3 * (turn.most.value - turn.least.value), 4),
         ]
     };
     let columns = vec![
@@ -247,17 +279,26 @@ fn block_tables(result: &SimulationResult) -> Vec<Table> {
         words("turn", "mrad"),
     ];
     let title = "Block in the last period: its origin, and its turn about each axis";
-    let rows = ["x", "y", "z"].into_iter().enumerate().map(row).collect();
+    let rows =
+        ["x", "y", "z"].into_iter().zip(extremes.position.iter().zip(&extremes.turn)).map(row).collect();
     let mut tables = vec![table("simulated-block", title, "", columns, rows)];
-    let largest = |mount: usize| {
-        let forces = run.samples.mounts[range.clone()].iter().filter_map(|at| at.get(mount));
-        forces.map(|f| f.iter().map(|c| c * c).sum::<f64>().sqrt()).fold(0.0, f64::max)
-    };
     if !result.mounts.is_empty() {
-        let rows = result.mounts.iter().enumerate();
-        let rows = rows.map(|(k, name)| vec![Cell::text(name), Cell::number(largest(k), 5)]);
-        let columns = vec![words("mount", ""), words("largest force", "N")];
-        tables.push(table("simulated-mounts", "Mounts in the last period", "", columns, rows.collect()));
+        let whole = &run.extremes.mounts;
+        let is_more = *whole != extremes.mounts;
+        let rows =
+            result.mounts.iter().zip(extremes.mounts.iter().zip(whole)).map(|(name, (last, whole))| {
+                let mut row = vec![Cell::text(name), Cell::number(last.value, 5)];
+                if is_more {
+                    row.push(Cell::number(whole.value, 5));
+                    row.push(Cell::number(whole.time, 5));
+                }
+                row
+            });
+        let mut columns = vec![words("mount", ""), words("last period", "N")];
+        if is_more {
+            columns.extend([words("whole run", "N"), words("at time", "s")]);
+        }
+        tables.push(table("simulated-mounts", "Mounts: largest force", "", columns, rows.collect()));
     }
     tables
 }

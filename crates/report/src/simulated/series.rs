@@ -2,6 +2,7 @@
 
 use crate::kit::table::{csv_number, push_csv_line};
 use crate::simulated::energy::energy_rows;
+use crate::simulated::extremes::{ExtremeRow, extreme_rows};
 use crate::simulated::orders::order_series;
 use crate::simulated::result::{SimulationResult, occasion_words};
 use lanchester_multibody::{CylinderReactions, MainRule, RunOutcome, Wrench};
@@ -56,6 +57,22 @@ pub fn simulation_orders_columns(result: &SimulationResult) -> SimulationColumns
     SimulationColumns { names: None, numbers: order_series(result) }
 }
 
+/// Largest and smallest values over the whole run with time and angle, and over the last period, in SI units.
+pub fn simulation_extremes_columns(result: &SimulationResult) -> SimulationColumns {
+    let rows = extreme_rows(result);
+    let of = |pick: &dyn Fn(&ExtremeRow) -> f64| rows.iter().map(pick).collect::<Vec<f64>>();
+    let names = rows.iter().map(|row| format!("{} [{}]", row.quantity, row.unit)).collect();
+    SimulationColumns {
+        names: Some(("quantity".into(), names)),
+        numbers: vec![
+            ("whole run".into(), of(&|row| row.whole.value)),
+            ("time [s]".into(), of(&|row| row.whole.time)),
+            ("crank angle [deg]".into(), of(&|row| row.whole.theta.to_degrees())),
+            ("last period".into(), of(&|row| row.last_period.value)),
+        ],
+    }
+}
+
 /// Works and changes of what is stored, over the run and over its last period; the heat of its cycles; NaN where there is none.
 pub fn simulation_energy_columns(result: &SimulationResult) -> SimulationColumns {
     let rows = energy_rows(result);
@@ -98,7 +115,20 @@ fn simulation_trace(result: &SimulationResult) -> Vec<NamedSeries> {
         ("starter_torque [N m]".into(), samples.starter_torque.clone()),
         ("friction_torque [N m]".into(), samples.friction_torque.clone()),
         ("outside_torque [N m]".into(), samples.outside_torque.clone()),
+        ("piston_friction_torque [N m]".into(), samples.piston_friction_torque.clone()),
     ];
+    let links = samples.driveline.first().map_or(0, Vec::len);
+    if links > 0 {
+        columns.push(("driveline_torque [N m]".into(), samples.driveline_torque.clone()));
+    }
+    for link in 0..links {
+        let spring = |k: usize| samples.driveline_springs.iter().map(|all| all[link][k]).collect();
+        let name = format!("driveline {}", link + 1);
+        columns.push((format!("{name} twist [rad]"), spring(0)));
+        columns.push((format!("{name} torque [N m]"), spring(1)));
+        let speed = samples.driveline.iter().map(|all| all[link][1]).collect();
+        columns.push((format!("{name} speed [rad/s]"), speed));
+    }
     for (k, axis) in ["x", "y", "z"].into_iter().enumerate() {
         if !samples.position.is_empty() {
             columns.push((format!("position_{axis} [m]"), samples.position.iter().map(|p| p[k]).collect()));

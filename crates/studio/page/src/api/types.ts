@@ -3765,6 +3765,22 @@ export type RotorEffects = {
   roll: boolean;
 };
 
+/** An extreme of the run. */
+export type RunExtreme = {
+  /** Over the last period. */
+  last_period: number;
+  /** What. */
+  quantity: string;
+  /** At which crank angle [rad]. */
+  theta: number;
+  /** When [s]. */
+  time: number;
+  /** Its unit, SI. */
+  unit: string;
+  /** Over the whole run. */
+  value: number;
+};
+
 /** What is saved. */
 export type SaveFile = {
   /** The name in the folder. */
@@ -4234,12 +4250,20 @@ export type SimulatedEvent = {
 export type SimulationAnswer = {
   /** Whether it ran to its end. */
   complete: boolean;
+  /** Speeds of the inertias of the driveline [rad/s]. */
+  driveline_speeds: NamedCurve[];
+  /** Their torques with their dampers on the inertia behind each [N m]. */
+  driveline_torques: NamedCurve[];
+  /** Twists of the springs of the driveline [rad]; empty without one. */
+  driveline_twists: NamedCurve[];
   /** What put energy in, positive, and what took or stores it, negative [J]. */
   energy: EnergyPart[];
   /** Largest error of the energy over its throughput. */
   energy_error: number;
   /** What happened on the way. */
   events: SimulatedEvent[];
+  /** Largest and smallest values of the whole run, beside those of the last period. */
+  extremes: RunExtreme[];
   /** Force of the teeth on every driven shaft whose pressure angle the file gives [N], its size. */
   gear_forces: NamedCurve[];
   /** Torque of gear or chain on every driven shaft [N m]. */
