@@ -6,7 +6,9 @@ import {
   blockAt,
   departure,
   eventRules,
+  extremeMeasure,
   fluctuation,
+  inertias,
   ledger,
   orbits,
   overPeriod,
@@ -52,6 +54,10 @@ const run: SimulationAnswer = {
   ],
   gear_torques: [],
   gear_forces: [],
+  driveline_twists: [],
+  driveline_torques: [{ name: "1", values: [1, 2, 3, 4] }],
+  driveline_speeds: [],
+  extremes: [],
   energy: [
     { name: "gas", energy: 100 },
     { name: "load", energy: -70 },
@@ -63,6 +69,18 @@ const run: SimulationAnswer = {
 };
 
 describe("a simulated run", () => {
+  it("names the driveline by its inertias and shows extremes in the unit of their kind", () => {
+    expect(inertias(run.driveline_torques)).toEqual([{ name: "inertia 1", values: [1, 2, 3, 4] }]);
+    expect(["rad/s", "m", "rad", "N", "N m", "1"].map(extremeMeasure)).toEqual([
+      "speed",
+      "vibration",
+      "rotation",
+      "force",
+      "moment",
+      "none",
+    ]);
+  });
+
   it("draws the orbit of a point about its mean in the last period, y to the right", () => {
     const [orbit, ...rest] = orbits(run);
     expect(rest).toEqual([]);

@@ -1,6 +1,7 @@
 // What the page draws of a simulated run.
 
 import type { NamedCurve, SimulationAnswer } from "../../api/types";
+import type { Measure } from "../../state/units.svelte";
 import type { Rule, Series } from "../plot/series";
 
 /** Every curve over time. */
@@ -37,6 +38,23 @@ export function eventRules(run: SimulationAnswer): Rule[] {
     else rules.push({ x: time, name: what });
   }
   return rules;
+}
+
+/** Curves of the driveline by the number of the inertia that each belongs to. */
+export function inertias(curves: readonly NamedCurve[]): NamedCurve[] {
+  return curves.map((one) => ({ ...one, name: `inertia ${one.name}` }));
+}
+
+/** How a value with a unit of an extreme is shown. */
+export function extremeMeasure(unit: string): Measure {
+  const measures: Record<string, Measure> = {
+    "rad/s": "speed",
+    m: "vibration",
+    rad: "rotation",
+    N: "force",
+    "N m": "moment",
+  };
+  return measures[unit] ?? "none";
 }
 
 /** One component of the path of the block's origin, about its mean in the last period [m]. */
