@@ -2,8 +2,8 @@
 
 use crate::powered::Powered;
 use crate::reactions::{Instant, Scratch};
-use crate::run::extremes::{Looker, Seen};
 use crate::run::kept::{Kept, Place};
+use crate::run::looking::{Looker, Seen};
 use crate::run::result::Samples;
 use crate::run::runner::{ANY_TIME, Runner};
 
