@@ -6,7 +6,7 @@ use super::written::Written;
 pub const PUBLISHED: &str = "docs/src/validation.md";
 
 /// Pages and pictures of the book, and the picture of the README.
-pub const WRITTEN: [Written; 36] = [
+pub const WRITTEN: [Written; 38] = [
     Written::page("crates/studio/page/src/api/types.ts", "", &["studio", "--describe", "typescript"]),
     Written::page("crates/studio/openapi.json", "", &["studio", "--describe", "openapi"]),
     Written::page(
@@ -60,6 +60,8 @@ pub const WRITTEN: [Written; 36] = [
     graph_run("docs/src/images/bond-graph-second-order.svg", &SHAFT_FORCES, "bond-graph-second-order.svg"),
     graph_run("docs/src/images/bond-graph-shafts.svg", &SHAFT_FORCES, "bond-graph-shafts.svg"),
     simulated("docs/src/images/simulated-speed.svg", "simulated-speed.svg"),
+    simulated("docs/src/images/simulated-events.svg", "simulated-events.svg"),
+    simulated("docs/src/images/simulated-misfire.svg", "simulated-change-5.svg"),
     simulated("docs/src/images/simulated-energy.svg", "simulated-energy.svg"),
     Written::figure("docs/src/images/simulated-period-energy.svg", &PERIOD, "simulated-period-energy.svg"),
     story("docs/src/images/balanced-twin.svg", "twin.toml"),
