@@ -224,6 +224,7 @@ impl Checker<'_> {
                 span: entry.name.span.clone(),
                 ports: Vec::new(),
                 law: Law::Junction,
+                energy: None,
                 value: None,
             });
         }

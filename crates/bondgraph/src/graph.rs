@@ -91,6 +91,8 @@ pub(crate) struct Element {
     /// Bond of each port.
     pub(crate) ports: Vec<usize>,
     pub(crate) law: Law,
+    /// What a store holds, where its file gives it: by displacements and momenta of its ports, or by their flows.
+    pub(crate) energy: Option<Id>,
     /// What a drawing says of its law: a number with its unit, or a short expression.
     pub(crate) value: Option<String>,
 }

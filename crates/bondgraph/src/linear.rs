@@ -3,14 +3,19 @@
 use crate::equations::{Equations, What, equations};
 use crate::expression::{Id, Var};
 use crate::graph::{Graph, Kind, Law, Parameter};
+use crate::linear::transfer::transfers;
 use crate::unit::Unit;
+use nalgebra::linalg::balancing::balance_parlett_reinsch;
 use nalgebra::{DMatrix, Schur};
 use serde::Serialize;
 use std::collections::HashMap;
 use std::f64::consts::TAU;
 
-/// More states than these have no transfer functions: their coefficients would be rounding.
-const MOST_FOR_TRANSFER: usize = 12;
+mod exact;
+mod transfer;
+
+/// Operations that an entry of A, B, C or D comes from; each rounds.
+pub(crate) const ROUNDINGS: f64 = 8.0;
 
 /// A linear graph.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -21,7 +26,7 @@ pub struct Linear {
     pub states: Vec<String>,
     /// Inputs: the sources.
     pub inputs: Vec<String>,
-    /// Outputs: flow of every inertia, effort of every capacitor, and every signal.
+    /// Outputs: what was asked for; else flow of every inertia, effort of every capacitor, and every signal.
     pub outputs: Vec<String>,
     /// A, row by row.
     pub a: Vec<Vec<f64>>,
@@ -87,6 +92,13 @@ pub enum NotLinear {
     },
     /// The graph has a mistake that only shows with its sources as inputs.
     Equations,
+    /// What was asked for as an output is no quantity of the graph.
+    NoOutput {
+        /// What was asked for.
+        name: String,
+        /// What there is.
+        has: Vec<String>,
+    },
 }
 
 impl NotLinear {
@@ -111,16 +123,27 @@ impl NotLinear {
                 "with its sources as free inputs the graph has no equations".into(),
                 "look at its causality".into(),
             ],
+            NotLinear::NoOutput { name, has } => {
+                [format!("the graph has no quantity `{name}`"), format!("it has {}", has.join(", "))]
+            }
         }
     }
 }
 
 impl Equations {
-    /// The linear form.
+    /// The linear form, with the flow of every inertia, the effort of every capacitor and every signal as outputs.
     ///
     /// # Errors
     /// Why there is none.
     pub fn linear(&self) -> Result<Linear, NotLinear> {
+        self.linear_to(&[])
+    }
+
+    /// The linear form with the outputs of these names, as `spring.effort`; with none as [`Equations::linear`] has them.
+    ///
+    /// # Errors
+    /// Why there is none, also where a name is not known.
+    pub fn linear_to(&self, wanted: &[String]) -> Result<Linear, NotLinear> {
         let (graph, inputs) = with_free_sources(&self.graph);
         let free = equations(&graph).map_err(|_| NotLinear::Equations)?;
         let count = self.graph.parameters.len();
@@ -136,21 +159,7 @@ impl Equations {
                 return Err(NotLinear::Loop { quantity: unknown.name.clone() });
             }
         }
-        let mut outputs: Vec<(String, Id)> = Vec::new();
-        for element in &graph.elements {
-            let Law::Store(ports) = &element.law else { continue };
-            for (port, law) in ports.iter().enumerate() {
-                let bond = element.ports[port];
-                let name = graph.bond_name(bond);
-                outputs.push(match law.flow {
-                    Some(_) => (format!("{name}.flow"), free.flows[bond]),
-                    None => (format!("{name}.effort"), free.efforts[bond]),
-                });
-            }
-        }
-        for (signal, id) in graph.signals.iter().zip(&free.signals) {
-            outputs.push((signal.name.clone(), *id));
-        }
+        let outputs = if wanted.is_empty() { free.usual_outputs() } else { free.chosen_outputs(wanted)? };
         let by_state: Vec<Var> = (0..free.states.len() as u32).map(Var::State).collect();
         let by_input: Vec<Var> = (0..inputs.len()).map(|k| Var::Parameter((count + k) as u32)).collect();
         let mut slopes = |id: Id, by: &[Var], quantity: &str| -> Result<Vec<f64>, NotLinear> {
@@ -195,8 +204,55 @@ impl Equations {
             d,
             transfer: Vec::new(),
         };
-        linear.transfer = linear.transfers();
+        linear.transfer = transfers(&linear);
         Ok(linear)
+    }
+
+    /// Flow of every inertia, effort of every capacitor, every signal.
+    fn usual_outputs(&self) -> Vec<(String, Id)> {
+        let mut outputs = Vec::new();
+        for element in &self.graph.elements {
+            let Law::Store(ports) = &element.law else { continue };
+            for (port, law) in ports.iter().enumerate() {
+                let bond = element.ports[port];
+                let name = self.graph.bond_name(bond);
+                outputs.push(match law.flow {
+                    Some(_) => (format!("{name}.flow"), self.flows[bond]),
+                    None => (format!("{name}.effort"), self.efforts[bond]),
+                });
+            }
+        }
+        let signals = self.graph.signals.iter().zip(&self.signals);
+        outputs.extend(signals.map(|(signal, id)| (signal.name.clone(), *id)));
+        outputs
+    }
+
+    /// Efforts and flows of bonds, what a junction shares, and signals, by their names.
+    fn chosen_outputs(&self, wanted: &[String]) -> Result<Vec<(String, Id)>, NotLinear> {
+        let graph = &self.graph;
+        let mut known: Vec<(String, Id)> = Vec::new();
+        for bond in 0..graph.bonds.len() {
+            let name = graph.bond_name(bond);
+            known.push((format!("{name}.effort"), self.efforts[bond]));
+            known.push((format!("{name}.flow"), self.flows[bond]));
+        }
+        for element in graph.elements.iter().filter(|element| element.is_junction()) {
+            let bond = element.ports[0];
+            known.push(match element.kind {
+                Kind::One => (format!("{}.flow", element.name), self.flows[bond]),
+                _ => (format!("{}.effort", element.name), self.efforts[bond]),
+            });
+        }
+        let signals = graph.signals.iter().zip(&self.signals);
+        known.extend(signals.map(|(signal, id)| (signal.name.clone(), *id)));
+        let of = |name: &String| {
+            let found = known.iter().find(|(own, _)| own == name.trim()).cloned();
+            found.ok_or_else(|| NotLinear::NoOutput {
+                name: name.clone(),
+                has: known.iter().map(|(own, _)| own.clone()).collect(),
+            })
+        };
+        wanted.iter().map(of).collect()
     }
 }
 
@@ -217,20 +273,27 @@ fn with_free_sources(graph: &Graph) -> (Graph, Vec<String>) {
 }
 
 /// Eigenvalues of A, the slowest first, pairs with the positive imaginary part first.
+///
+/// Schur's form is exact for a matrix beside A whose distance is the rounding of n sums of products, and A itself is rounded: a part of a pole
+/// below that distance is 0. The norm is that of the balanced matrix, which the choice of units does not change.
 fn poles(a: &[Vec<f64>]) -> Vec<Pole> {
     let n = a.len();
     if n == 0 {
         return Vec::new();
     }
-    let matrix = DMatrix::from_fn(n, n, |i, j| a[i][j]);
+    let mut matrix = DMatrix::from_fn(n, n, |i, j| a[i][j]);
+    balance_parlett_reinsch(&mut matrix);
+    let rounding = (n as f64 + ROUNDINGS) * f64::EPSILON * matrix.norm();
     let Some(schur) = Schur::try_new(matrix, f64::EPSILON, 10_000) else { return Vec::new() };
+    let clean = |part: f64| if part.abs() <= rounding { 0.0 } else { part };
     let mut poles: Vec<Pole> = schur
         .complex_eigenvalues()
         .iter()
         .map(|value| {
-            let frequency = value.norm();
-            let damping = if frequency > 0.0 { -value.re / frequency } else { 0.0 };
-            Pole { real: value.re, imaginary: value.im, frequency, damping, hertz: frequency / TAU }
+            let (real, imaginary) = (clean(value.re), clean(value.im));
+            let frequency = real.hypot(imaginary);
+            let damping = if real == 0.0 { 0.0 } else { -real / frequency };
+            Pole { real, imaginary, frequency, damping, hertz: frequency / TAU }
         })
         .collect();
     poles.sort_by(|p, q| {
@@ -239,62 +302,4 @@ fn poles(a: &[Vec<f64>]) -> Vec<Pole> {
         by_frequency.then(q.imaginary.total_cmp(&p.imaginary))
     });
     poles
-}
-
-impl Linear {
-    /// Numerators and the common denominator by Faddeev and Leverrier's recursion, with time scaled to the fastest pole.
-    fn transfers(&self) -> Vec<Transfer> {
-        let n = self.a.len();
-        if n == 0 || n > MOST_FOR_TRANSFER {
-            return Vec::new();
-        }
-        let fastest = self.poles.iter().map(|pole| pole.frequency).fold(0.0, f64::max);
-        let scale = if fastest > 0.0 { fastest } else { 1.0 };
-        let a = DMatrix::from_fn(n, n, |i, j| self.a[i][j] / scale);
-        let unit = DMatrix::<f64>::identity(n, n);
-        let mut denominator = vec![0.0; n + 1];
-        denominator[n] = 1.0;
-        let mut terms = vec![DMatrix::zeros(n, n); n];
-        let mut m = DMatrix::zeros(n, n);
-        for k in 1..=n {
-            m = &a * m + denominator[n - k + 1] * &unit;
-            denominator[n - k] = -(&a * &m).trace() / k as f64;
-            terms[n - k] = m.clone();
-        }
-        let mut found = Vec::new();
-        for (k, input) in self.inputs.iter().enumerate() {
-            for (row, output) in self.outputs.iter().enumerate() {
-                let mut numerator: Vec<f64> =
-                    denominator.iter().map(|value| value * self.d[row][k]).collect();
-                for (power, term) in terms.iter().enumerate() {
-                    let mut sum = 0.0;
-                    for i in 0..n {
-                        for j in 0..n {
-                            sum += self.c[row][i] * term[(i, j)] * self.b[j][k];
-                        }
-                    }
-                    numerator[power] += sum / scale;
-                }
-                // Back to seconds: s = scale times the scaled s; both are divided by scale^n.
-                let back = |values: &[f64]| -> Vec<f64> {
-                    values
-                        .iter()
-                        .enumerate()
-                        .map(|(power, value)| value * scale.powi(n as i32 - power as i32))
-                        .collect()
-                };
-                let mut numerator = back(&numerator);
-                while numerator.len() > 1 && numerator.last() == Some(&0.0) {
-                    numerator.pop();
-                }
-                found.push(Transfer {
-                    input: input.clone(),
-                    output: output.clone(),
-                    numerator,
-                    denominator: back(&denominator),
-                });
-            }
-        }
-        found
-    }
 }

@@ -449,6 +449,7 @@ impl Checker<'_> {
             ports.push(StorePort { effort, flow, inverse: None, gain: None, start });
         }
         self.positive_inertia(&element, &ports, text);
+        self.elements[index].energy = Some(energy);
         Some(Law::Store(ports))
     }
 
@@ -503,6 +504,8 @@ impl Checker<'_> {
         self.local.clear();
         let coenergy = coenergy?;
         let mut ports = Vec::new();
+        // Energy = sum of p f - coenergy.
+        let mut energy = self.pool.negative(coenergy);
         for (port, bond) in element.ports.iter().enumerate() {
             let momentum = self.pool.derivative(coenergy, Var::Flow(*bond as u32), &mut HashMap::new());
             if self.pool.is_zero(momentum) {
@@ -511,6 +514,9 @@ impl Checker<'_> {
                 let hint = format!("name f{} in it, or leave the port out", port + 1);
                 self.mistakes.push("E1709", &text.span, message, hint);
             }
+            let flow = self.pool.var(Var::Flow(*bond as u32));
+            let product = self.pool.product(momentum, flow);
+            energy = self.pool.sum(energy, product);
             ports.push(StorePort {
                 effort: None,
                 flow: None,
@@ -519,6 +525,7 @@ impl Checker<'_> {
                 start: [0.0; 2],
             });
         }
+        self.elements[index].energy = Some(energy);
         Some(Law::Store(ports))
     }
 }

@@ -83,8 +83,11 @@ pub fn linear_text(linear: &Linear) -> String {
     for pole in &linear.poles {
         let _ = writeln!(
             out,
-            "        {:>15.6e} {:>18.6e} {:>15.6} {:>24.6}",
-            pole.real, pole.imaginary, pole.damping, pole.hertz
+            "        {:>15} {:>18} {:>15} {:>24}",
+            digits(pole.real),
+            digits(pole.imaginary),
+            digits(pole.damping),
+            digits(pole.hertz)
         );
     }
     if !linear.transfer.is_empty() {
@@ -103,17 +106,47 @@ pub fn linear_text(linear: &Linear) -> String {
     out
 }
 
+/// Six significant digits, without zeros at the end.
+fn digits(value: f64) -> String {
+    if value == 0.0 || !value.is_finite() {
+        return if value == 0.0 { "0".into() } else { value.to_string() };
+    }
+    // The exponent after rounding to the digits that are shown.
+    let scientific = format!("{value:.5e}");
+    let (mantissa, exponent) = scientific.split_once('e').unwrap_or((&scientific, "0"));
+    let exponent: i32 = exponent.parse().unwrap_or(0);
+    let short = |text: &str| -> String {
+        if text.contains('.') {
+            text.trim_end_matches('0').trim_end_matches('.').to_owned()
+        } else {
+            text.to_owned()
+        }
+    };
+    match exponent {
+        -4..=5 => short(&format!("{value:.*}", (5 - exponent) as usize)),
+        _ => format!("{}e{exponent}", short(mantissa)),
+    }
+}
+
 fn polynomial(coefficients: &[f64]) -> String {
-    let largest = coefficients.iter().fold(0.0f64, |most, c| most.max(c.abs()));
     let terms: Vec<String> = coefficients
         .iter()
         .enumerate()
         .rev()
-        .filter(|(_, c)| c.abs() > 1e-14 * largest)
-        .map(|(power, c)| match power {
-            0 => format!("{c:.6}"),
-            1 => format!("{c:.6} s"),
-            _ => format!("{c:.6} s^{power}"),
+        .filter(|(_, c)| **c != 0.0)
+        .map(|(power, c)| {
+            let number = digits(*c);
+            let factor = match number.as_str() {
+                "1" if power > 0 => String::new(),
+                "-1" if power > 0 => "-".into(),
+                _ if power > 0 => format!("{number} "),
+                _ => number,
+            };
+            match power {
+                0 => factor,
+                1 => format!("{factor}s"),
+                _ => format!("{factor}s^{power}"),
+            }
         })
         .collect();
     if terms.is_empty() { "0".into() } else { terms.join(" + ").replace("+ -", "- ") }
@@ -219,15 +252,29 @@ pub fn audit_text(run: &Simulation) -> String {
     for bond in &audit.bonds {
         let _ = writeln!(out, "{:<32} {:>16.8e} J", bond.bond, bond.energy);
     }
-    let _ =
-        writeln!(out, "\n{:<20} {:>16} {:>16} {:>12}", "element", "took in [J]", "holds more [J]", "error");
+    // What events took is a column where there are any.
+    let with_events = audit.elements.iter().any(|element| element.taken_by_events.is_some());
+    let width = audit.elements.iter().map(|own| own.element.chars().count()).max().unwrap_or(0).max(20);
+    let row = |cells: [&str; 5]| {
+        let [element, taken, events, held, error] = cells;
+        let events = if with_events { format!(" {events:>20}") } else { String::new() };
+        format!("{element:<width$} {taken:>16}{events} {held:>16} {error:>12}\n")
+    };
+    out += "\n";
+    out += &row(["element", "took in [J]", "taken by events [J]", "holds more [J]", "error"]);
     for element in &audit.elements {
-        let held = element.held.map_or(String::new(), |held| format!("{held:.8e}"));
+        let joule = |value: Option<f64>| value.map_or(String::new(), |value| format!("{value:.8e}"));
         let error = element.error.map_or(String::new(), |error| format!("{error:.1e}"));
-        let _ = writeln!(out, "{:<20} {:>16.8e} {held:>16} {error:>12}", element.element, element.taken);
+        let [taken, events, held] = [Some(element.taken), element.taken_by_events, element.held].map(joule);
+        out += &row([&element.element, &taken, &events, &held, &error]);
     }
     let worst = audit.residuals.iter().map(|r| r.error).fold(0.0, f64::max);
     let _ = writeln!(out, "\nlargest power lost in a junction or two-port: {worst:.1e} of the power there");
-    let _ = writeln!(out, "error of the whole: {:.1e} of {:.6e} J", audit.whole, audit.throughput);
+    let _ = writeln!(out, "error of the whole: {:.1e}", audit.whole);
+    let _ = writeln!(
+        out,
+        "errors are shares of {:.6e} J: what `{}` carried to and fro between the samples, the most of all bonds",
+        audit.throughput, audit.measured_at
+    );
     out
 }

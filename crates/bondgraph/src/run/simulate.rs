@@ -3,7 +3,7 @@
 use crate::equations::Equations;
 use crate::expression::Var;
 use crate::graph::{Element, Kind, Law, Period};
-use crate::run::audit::{Audit, audit};
+use crate::run::audit::{Audit, Jump, Place, audit};
 use crate::run::compiled::Compiled;
 use crate::run::motion::PeriodicMotion;
 use lanchester_numerics::{Dop853, Outcome, Radau5, SampleGrid, Settings, Statistics, Step, System};
@@ -150,6 +150,8 @@ pub(crate) struct Pass {
     pub(crate) methods: Vec<Method>,
     stiff_from: Option<f64>,
     events: Vec<Event>,
+    /// Of an audited run: events that set states.
+    jumps: Vec<Jump>,
     /// Its cost.
     pub(crate) statistics: Statistics,
 }
@@ -253,7 +255,8 @@ impl Equations {
         self.end_where_not_finite(&mut pass);
         let time: Vec<f64> = pass.samples.iter().map(|(t, _)| *t).collect();
         let series = self.series(&pass);
-        let audit = request.audit.then(|| audit(self, &pass.samples, &pass.variables, &pass.end.1));
+        let audit =
+            request.audit.then(|| audit(self, &pass.samples, &pass.variables, &pass.jumps, &pass.end.1));
         Simulation {
             version: 1,
             graph: self.graph.name.clone(),
@@ -443,6 +446,7 @@ impl Equations {
             methods: vec![first],
             stiff_from: None,
             events: Vec::new(),
+            jumps: Vec::new(),
             statistics: Statistics::default(),
         };
         let (mut next, mut at_once) = (0, 0);
@@ -507,10 +511,19 @@ impl Equations {
                         );
                         break;
                     }
-                    if rising && compiled.held.is_condition(index) && compiled.happen(index, t, &mut y) {
+                    let place = |compiled: &mut Compiled, state: &[f64]| {
+                        let variables = compiled.variables(t, state, signals);
+                        Place { time: t, state: state.to_vec(), variables }
+                    };
+                    let rises = rising && compiled.held.is_condition(index);
+                    let just_before = (request.audit && rises).then(|| place(compiled, &y));
+                    if rises && compiled.happen(index, t, &mut y) {
                         let again = setting.0 == index && t - setting.1 <= 1e-9 * request.duration;
                         setting = (index, t, if again { setting.2 + 1 } else { 0 });
                         compiled.settle(t, &y);
+                        if let Some(just_before) = just_before {
+                            pass.jumps.push([just_before, place(compiled, &y)]);
+                        }
                         explicit.restart();
                         implicit.restart();
                         for (most, value) in pass.largest.iter_mut().zip(&y) {
@@ -523,7 +536,7 @@ impl Equations {
                         );
                         break;
                     }
-                    if rising && compiled.held.is_condition(index) && compiled.stops(index) {
+                    if rises && compiled.stops(index) {
                         pass.complete = true;
                         pass.ended = format!("stopped by an event at {t} s");
                         break;

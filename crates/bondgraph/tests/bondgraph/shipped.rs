@@ -1,7 +1,8 @@
 //! The graphs in `examples/bond-graphs` against their exact answers.
 
 use lanchester_bondgraph::{
-    Cancel, Equations, Graph, Method, Notation, Simulation, SimulationRequest, equations,
+    Audit, Cancel, Equations, Graph, Method, NotLinear, Notation, Simulation, SimulationRequest, audit_text,
+    equations, linear_text,
 };
 use nalgebra::{DMatrix, DVector};
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -99,6 +100,74 @@ fn two_tanks_are_the_textbook() {
     assert!((matrix(&linear.a) - &a).norm() < 1e-12 * a.norm());
     let off = off_the_exponential(&equations, &a, &DVector::from_vec(vec![4e-4, 0.0]));
     assert!(off < 1e-10, "{off:e}");
+}
+
+/// Coefficients that are no whole numbers keep their digits: by hand det(s - A) = s^2 + 0.0213889 s + 4.16667e-5.
+#[test]
+fn transfer_functions_are_printed_with_six_digits() {
+    let found = graph!("thermal-chain");
+    let text = linear_text(&found.linear().expect("linear"));
+    let want = "plate.effort / burner.flow = (0.0025 s + 2.22222e-5) / (s^2 + 0.0213889 s + 4.16667e-5)";
+    assert!(text.contains(want), "{text}");
+    // The heat into a wall is no state's own variable: it is asked for.
+    let names = ["plate.effort".to_owned(), "burner.effort".to_owned()];
+    let chosen = found.linear_to(&names).expect("linear");
+    assert_eq!(chosen.outputs, names);
+    assert_eq!(chosen.c[0], chosen.c[1], "burner and plate share their temperature");
+    let refused = found.linear_to(&["plate.speed".to_owned()]).expect_err("no such quantity");
+    assert!(matches!(&refused, NotLinear::NoOutput { has, .. } if has.contains(&"plate.flow".to_owned())));
+}
+
+/// Free bodies have a pole at 0, undamped ones poles on the imaginary axis, whatever rounding leaves beside; a slow pole stays.
+#[test]
+fn rounding_is_no_pole_and_no_coefficient() {
+    let chain = graph!("torsion-chain").linear().expect("linear");
+    assert_eq!((chain.poles[0].real, chain.poles[0].frequency), (0.0, 0.0), "{:?}", chain.poles);
+    let transfer = &chain.transfer[0];
+    assert_eq!(transfer.denominator[0], 0.0, "{transfer:?}");
+    // k1 k2 (J1 + J2 + J3)/(J1 J2 J3) is the next.
+    assert!((transfer.denominator[1] / (2e5 * 3e5 * 0.27 / (0.05 * 0.02 * 0.2)) - 1.0).abs() < 1e-14);
+    let free = shipped(
+        r#"
+name = "free"
+[elements]
+s = { kind = "Se", effort = "1 N" }
+v = { kind = "1", domain = "translation" }
+m = { kind = "I", inertia = "1 kg" }
+w = { kind = "1", domain = "translation" }
+n = { kind = "I", inertia = "2 kg" }
+o = { kind = "0", domain = "translation" }
+k = { kind = "C", stiffness = "100 N/m" }
+[bonds]
+list = ["s > v", "v > m", "v > o", "o > k", "o > w", "w > n"]
+"#,
+    )
+    .linear()
+    .expect("linear");
+    let rest: Vec<f64> = free.poles.iter().flat_map(|pole| [pole.real, pole.damping]).collect();
+    assert_eq!(rest, [0.0; 6]);
+    assert!((free.poles[1].imaginary - 150f64.sqrt()).abs() < 1e-14 * 150.0);
+    // A mass of 1 kg behind a damper of 1e-9 N s/m beside one behind 1e4 N s/m: thirteen powers of ten apart.
+    let slow = shipped(
+        r#"
+name = "slow"
+[elements]
+v = { kind = "1", domain = "translation" }
+m = { kind = "I", inertia = "1 kg" }
+b = { kind = "R", resistance = "1e-9 N s/m" }
+s = { kind = "Se", effort = "1 N" }
+w = { kind = "1", domain = "translation" }
+n = { kind = "I", inertia = "1 kg" }
+c = { kind = "R", resistance = "1e4 N s/m" }
+[bonds]
+list = ["s > v", "v > m", "v > b", "w > n", "w > c"]
+"#,
+    )
+    .linear()
+    .expect("linear");
+    assert_eq!(slow.poles.iter().map(|pole| pole.real).collect::<Vec<_>>(), [-1e-9, -1e4]);
+    let denominator = &slow.transfer[0].denominator;
+    assert!((denominator[0] / 1e-5 - 1.0).abs() < 1e-15, "{denominator:?}");
 }
 
 #[test]
@@ -255,6 +324,95 @@ list = ["drive > rod", "rod > mass", "rod > rub", "push > pot", "pot > spring", 
         assert!(own.error.is_some_and(|error| error < 1e-9), "{own:?}");
     }
     assert_eq!(of("rub").held, None);
+}
+
+fn audited(text: &str, duration: f64, tolerance: f64) -> (Simulation, Audit) {
+    let found = shipped(text);
+    let run = found.simulate(&SimulationRequest { audit: true, duration, tolerance, ..found.request() });
+    assert!(run.complete, "{}", run.ended);
+    let audit = run.audit.clone().expect("asked for");
+    (run, audit)
+}
+
+/// A ball that leaves the floor with 0.8 of its speed: what each bounce takes is counted by itself.
+#[test]
+fn energy_that_events_take_is_no_error() {
+    let text = r#"
+name = "ball"
+[elements]
+ball = { kind = "1", domain = "translation" }
+mass = { kind = "I", inertia = "0.2 kg" }
+weight = { kind = "Se", effort = "-0.2 kg*9.81 m/s2" }
+[signals]
+height = { integral_of = "ball.flow", start = "1 m" }
+[[event]]
+when = "-height"
+set = { "mass.momentum" = "-0.8*mass.momentum" }
+[bonds]
+list = ["ball > mass", "weight > ball"]
+"#;
+    // It falls for 0.4515 s, bounces, and 1.6 times as long later again.
+    let (run, audit) = audited(text, 1.4, 1e-11);
+    let mass = audit.elements.iter().find(|own| own.element == "mass").expect("there");
+    let fall = 0.2 * 9.81;
+    let want = fall * (1.0 - 0.8f64.powi(4));
+    let lost = mass.taken_by_events.expect("it bounced twice");
+    assert!((lost - want).abs() < 1e-9 * want, "{lost} {want}");
+    assert!(mass.error.is_some_and(|error| error < 1e-10), "{mass:?}");
+    assert!(audit_text(&run).contains("taken by events [J]"));
+    // Without the loss it would be all of what the weight gave: the check can fail.
+    assert!((mass.held.expect("linear") - mass.taken).abs() > 0.5 * fall, "{mass:?}");
+}
+
+/// Stores by a law or an energy: a spring that hardens, k q + c q^3, and a condenser whose plates move.
+#[test]
+fn stores_by_law_and_energy_are_audited() {
+    let text = r#"
+name = "microphone"
+[elements]
+battery = { kind = "Se", effort = "100 V" }
+circuit = { kind = "1", domain = "electric" }
+r = { kind = "R", resistance = "1e6 Ohm" }
+plates = { kind = "C", energy = "q1^2*(1 mm + q2)/(2*8.854e-12 F/m*1e-3 m2)" }
+move = { kind = "1", domain = "translation" }
+push = { kind = "Se", effort = "2 N*sin(t*90/(1 s))" }
+m = { kind = "I", inertia = "1e-3 kg" }
+k = { kind = "C", law = "1000 N/m*q + 2e9 N/m^3*q^3" }
+b = { kind = "R", resistance = "0.1 N s/m" }
+[bonds]
+list = ["battery > circuit", "circuit > r", "circuit > plates.1", "move > plates.2", "move > m", "move > k", "move > b", "push > move"]
+"#;
+    let (run, audit) = audited(text, 0.0103, 1e-11);
+    let of = |name: &str| audit.elements.iter().find(|own| own.element == name).expect("there");
+    let last = |name: &str| *series(&run, name).last().expect("there");
+    let (q1, q2, q) = (last("plates.1.displacement"), last("plates.2.displacement"), last("k.displacement"));
+    for (name, want) in
+        [("k", 500.0 * q * q + 5e8 * q.powi(4)), ("plates", q1 * q1 * (1e-3 + q2) / (2.0 * 8.854e-12 * 1e-3))]
+    {
+        let own = of(name);
+        assert!((own.held.expect("known") - want).abs() < 1e-12 * want.abs(), "{own:?} {want}");
+        assert!(own.error.is_some_and(|error| error < 1e-9), "{own:?}");
+    }
+}
+
+/// A crank at an imposed speed carries energy to and fro and ends where it began: errors are shares of what passed.
+#[test]
+fn errors_are_measured_by_what_passed_to_and_fro() {
+    let text = r#"
+name = "to and fro"
+[elements]
+drive = { kind = "Sf", flow = "0.5 m/s*sin(2*pi*t/(1 s))" }
+rod = { kind = "1", domain = "translation" }
+mass = { kind = "I", inertia = "2 kg" }
+[bonds]
+list = ["drive > rod", "rod > mass"]
+"#;
+    let (_, audit) = audited(text, 10.0, 1e-9);
+    // 1/2 m v^2 = 0.25 J in and out twice a second.
+    assert!((audit.throughput - 10.0).abs() < 1e-3, "{}", audit.throughput);
+    let mass = audit.elements.iter().find(|own| own.element == "mass").expect("there");
+    assert!(mass.error.is_some_and(|error| error < 1e-9), "{mass:?}");
+    assert!(mass.taken.abs() < 1e-7, "the net is nothing: {mass:?}");
 }
 
 #[test]

@@ -60,6 +60,12 @@ pub fn run(arguments: &BondgraphArguments, colour: bool) -> Result<u8, Failure> 
             "use --format json or text",
         ));
     }
+    if !arguments.output.is_empty() && action != "linear" {
+        return Err(Failure::input(
+            "--output chooses the outputs of transfer functions",
+            "use it with `bondgraph linear`",
+        ));
+    }
     let source = read_source(Path::new(file))?;
     let refuse = |mistakes: Vec<Diagnostic>| diagnosed(&mistakes, &source, colour);
     let (description, graph) = if is_graph_file(&source.text) {
@@ -221,7 +227,7 @@ fn show(
     };
     match action {
         "linear" => {
-            let linear = found.linear().map_err(|reason| {
+            let linear = found.linear_to(&arguments.output).map_err(|reason| {
                 let [message, hint] = reason.in_words();
                 Failure::input(message, hint)
             })?;

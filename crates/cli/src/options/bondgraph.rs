@@ -34,6 +34,10 @@ pub struct BondgraphArguments {
     /// Method of the simulation; default: explicit, and implicit from where stiffness is measured.
     #[arg(long, value_enum)]
     pub method: Option<MethodOption>,
+    /// `linear`: outputs, separated by commas: effort or flow of any bond, or a signal, as `spring.effort`; default: flows of inertias, efforts
+    /// of capacitors, and signals.
+    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
+    pub output: Vec<String>,
     /// Which text `export` writes.
     #[arg(long, value_enum, default_value_t = ExportOption::Modelica)]
     pub to: ExportOption,

@@ -273,9 +273,10 @@ fn audit_words(audit: &Audit) -> String {
     let worst = audit.residuals.iter().fold(0.0f64, |most, residual| most.max(residual.error));
     let store = audit.elements.iter().filter_map(|element| element.error).fold(0.0f64, f64::max);
     format!(
-        "Energy: all one-ports together took in {:.1e} of the largest energy that a bond carried ({} J). Powers at junctions, \
+        "Energy: all one-ports together took in {:.1e} of what {} carried to and fro ({} J, the most of all bonds). Powers at junctions, \
          transformers and gyrators cancel to {worst:.1e} of the largest there; stores hold what they took in to {store:.1e}.",
         audit.whole,
+        audit.measured_at,
         number::short(audit.throughput, 4)
     )
 }
