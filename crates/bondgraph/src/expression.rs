@@ -323,6 +323,15 @@ impl Pool {
         }
     }
 
+    /// `x / (x^2 + width^2)^(1/4)`: the root of the absolute value with the sign of x, with a finite slope at 0.
+    pub(crate) fn regular_root(&mut self, x: Id, width: Id) -> Id {
+        let (xx, ww) = (self.square(x), self.square(width));
+        let sum = self.sum(xx, ww);
+        let root = self.call(Function::Sqrt, sum);
+        let below = self.call(Function::Sqrt, root);
+        self.quotient(x, below)
+    }
+
     pub(crate) fn atan2(&mut self, a: Id, b: Id) -> Id {
         self.keep(Node::Atan2(a, b))
     }

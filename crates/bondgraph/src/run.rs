@@ -9,3 +9,4 @@ mod periodic;
 mod returning;
 pub(crate) mod simulate;
 mod tape;
+mod trouble;

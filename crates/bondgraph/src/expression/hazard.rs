@@ -28,6 +28,17 @@ impl Pool {
         self.parts(id).iter().any(is_jump)
     }
 
+    /// Arguments of roots, and of powers with an exponent between 0 and 1: at 0 their slope is infinite.
+    pub(crate) fn roots(&self, id: Id) -> Vec<Id> {
+        let is_root = |exponent: Id| self.value(exponent).is_some_and(|value| value > 0.0 && value < 1.0);
+        let argument = |own: &Id| match self.node(*own) {
+            Node::Call(Function::Sqrt, x) => Some(x),
+            Node::Power(x, exponent) if is_root(exponent) => Some(x),
+            _ => None,
+        };
+        self.parts(id).iter().filter_map(argument).collect()
+    }
+
     /// An expression and all that it is made of.
     fn parts(&self, id: Id) -> Vec<Id> {
         let (mut seen, mut left, mut found) = (HashSet::from([id]), vec![id], Vec::new());

@@ -323,7 +323,7 @@ impl<S: Scope> Reader<'_, S> {
         }
         let needed = match name {
             "if" => 3,
-            "min" | "max" | "atan2" => 2,
+            "min" | "max" | "atan2" | "regroot" => 2,
             _ => 1,
         };
         let plain = Function::ALL.iter().find(|(known, _)| *known == name).map(|(_, function)| *function);
@@ -331,7 +331,7 @@ impl<S: Scope> Reader<'_, S> {
             let known: Vec<&str> = Function::ALL.iter().map(|(name, _)| *name).collect();
             self.refuse(
                 format!("`{name}` is no function"),
-                format!("there are {}, atan2, min, max, if, table", known.join(", ")),
+                format!("there are {}, atan2, min, max, regroot, if, table", known.join(", ")),
             );
             return None;
         }
@@ -350,6 +350,22 @@ impl<S: Scope> Reader<'_, S> {
             "if" => {
                 let unit = self.same(b.unit, arguments[2].unit, "or");
                 Parsed { id: self.scope.pool().choice(a.id, b.id, arguments[2].id), unit }
+            }
+            "regroot" => {
+                self.same(a.unit, b.unit, "beside");
+                if let Some(width) =
+                    self.scope.pool().value(b.id).filter(|width| width.is_nan() || *width <= 0.0)
+                {
+                    self.refuse(
+                        format!(
+                            "`{}` has a root with the width {width}, it must be positive",
+                            self.text.text
+                        ),
+                        "give a width far below the values that matter, for example regroot(e, 1 Pa)",
+                    );
+                }
+                let unit = a.unit.or(b.unit).and_then(|unit| unit.power(0.5));
+                Parsed { id: self.scope.pool().regular_root(a.id, b.id), unit }
             }
             "atan2" => {
                 self.same(a.unit, b.unit, "beside");

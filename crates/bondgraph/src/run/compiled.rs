@@ -9,8 +9,12 @@ use crate::run::tape::Tape;
 use lanchester_numerics::{Lu, System};
 use std::collections::HashMap;
 
-/// Newton iterations for the unknowns of nonlinear loops.
-const ITERATIONS: usize = 50;
+/// Newton iterations for the unknowns of nonlinear loops: an exponential comes down by one unit of its exponent each.
+const ITERATIONS: usize = 200;
+/// Values from which they are tried where the last ones do not lead to a solution.
+const GUESSES: [f64; 5] = [0.0, 1.0, -1.0, 1e3, -1e3];
+/// The smallest share of a Newton step that is tried.
+const LEAST_SHARE: f64 = 1e-12;
 
 /// Equations as tapes: rates, unknowns with their exact Jacobian, variables of the bonds, switches.
 #[derive(Debug, Clone)]
@@ -48,6 +52,8 @@ pub(crate) struct Compiled {
     following: Option<Following>,
     /// Rates that it found with them.
     found: Vec<f64>,
+    /// When the unknowns had no solution, if they had none the last time.
+    unsolved_at: Option<f64>,
     /// Time, states, unknowns.
     inputs: Vec<f64>,
     work: Vec<f64>,
@@ -154,6 +160,7 @@ impl Compiled {
                 without_events: false,
                 following: Some(following),
                 found: vec![0.0; states],
+                unsolved_at: None,
                 inputs: vec![0.0; 1 + states + left.len()],
                 work: Vec::new(),
                 values: Vec::new(),
@@ -203,6 +210,7 @@ impl Compiled {
             without_events: false,
             following: None,
             found: Vec::new(),
+            unsolved_at: None,
             inputs: vec![0.0; 1 + states + unknowns],
             work: Vec::new(),
             values: Vec::new(),
@@ -219,37 +227,95 @@ impl Compiled {
     fn place(&mut self, t: f64, y: &[f64]) -> bool {
         self.inputs[0] = t;
         self.inputs[1..=self.states].copy_from_slice(&y[..self.states]);
-        let n = self.unknowns;
-        if n == 0 {
+        if self.unknowns == 0 {
             return true;
         }
-        if let Some(following) = &mut self.following {
+        let solved = if let Some(following) = &mut self.following {
             let (inputs, unknowns) = self.inputs.split_at_mut(1 + self.states);
-            return following.solve(inputs, &self.held, &mut self.work, &mut self.found, unknowns);
+            following.solve(inputs, &self.held, &mut self.work, &mut self.found, unknowns)
+        } else {
+            // What fails from the last values may succeed from others: at 0 a root has no finite slope.
+            self.newton()
+                || GUESSES.iter().any(|guess| {
+                    self.inputs[1 + self.states..].fill(*guess);
+                    self.newton()
+                })
+        };
+        self.unsolved_at = (!solved).then_some(t);
+        if !solved {
+            self.inputs[1 + self.states..].fill(0.0);
         }
+        solved
+    }
+
+    /// Newton's iteration for the unknowns. A step that does not shrink the next one is halved: the next by the slopes at hand, which is a
+    /// measure that no unit changes.
+    fn newton(&mut self) -> bool {
+        let n = self.unknowns;
+        let from = 1 + self.states;
         self.values.resize(n + n * n, 0.0);
         let mut last = f64::INFINITY;
+        self.residuals.run(&self.inputs, &self.held, &mut self.work, &mut self.values);
         for _ in 0..ITERATIONS {
-            self.residuals.run(&self.inputs, &self.held, &mut self.work, &mut self.values);
+            if !self.values.iter().all(|value| value.is_finite()) {
+                return false;
+            }
             let mut change = self.values[..n].to_vec();
             let Ok(factors) = Lu::new(n, self.values[n..].to_vec()) else { return false };
             factors.solve(&mut change);
+            let before = self.inputs[from..].to_vec();
+            let size_of = |step: &[f64]| {
+                let shares = step.iter().zip(before.iter().zip(&change));
+                shares.map(|(step, (x, d))| step.abs() / (x.abs() + d.abs() + 1e-30)).fold(0.0, f64::max)
+            };
             let mut size = 0.0f64;
             for (i, change) in change.iter().enumerate() {
-                let unknown = &mut self.inputs[1 + self.states + i];
+                let unknown = &mut self.inputs[from + i];
                 *unknown -= change;
                 size = size.max(change.abs() / (unknown.abs() + 1e-30));
             }
             if !size.is_finite() {
-                self.inputs[1 + self.states..].fill(0.0);
                 return false;
             }
             if size < 1e-15 || (size < 1e-10 && size >= last) {
                 return true;
             }
             last = size;
+            let own = size_of(&change);
+            let mut share = 1.0;
+            loop {
+                self.residuals.run(&self.inputs, &self.held, &mut self.work, &mut self.values);
+                if size < 1e-10 {
+                    break;
+                }
+                if self.values.iter().all(|value| value.is_finite()) {
+                    let mut next = self.values[..n].to_vec();
+                    factors.solve(&mut next);
+                    if size_of(&next) <= (1.0 - 0.25 * share) * own {
+                        break;
+                    }
+                }
+                share *= 0.5;
+                if share < LEAST_SHARE {
+                    return false;
+                }
+                for (unknown, (x, d)) in self.inputs[from..].iter_mut().zip(before.iter().zip(&change)) {
+                    *unknown = x - share * d;
+                }
+                last = f64::INFINITY;
+            }
         }
         last < 1e-8
+    }
+
+    /// Whether unknowns have a solution.
+    pub(crate) fn is_solved(&mut self, t: f64, y: &[f64]) -> bool {
+        self.place(t, y)
+    }
+
+    /// When unknowns were without a solution, if they were so the last time.
+    pub(crate) fn unsolved_at(&self) -> Option<f64> {
+        self.unsolved_at
     }
 
     /// Effort and flow of every bond, then every signal.

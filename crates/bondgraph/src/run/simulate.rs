@@ -1,8 +1,7 @@
 //! Simulation: the equations integrated, events located, energy through every bond audited.
 
 use crate::equations::Equations;
-use crate::expression::Var;
-use crate::graph::{Element, Kind, Law, Period};
+use crate::graph::{Kind, Period};
 use crate::run::audit::{Audit, Jump, Place, audit};
 use crate::run::compiled::Compiled;
 use crate::run::motion::PeriodicMotion;
@@ -19,14 +18,14 @@ const CHATTER: u32 = 200;
 /// So many times in a row at places that cannot be told apart mean that an event comes ever faster.
 const EVER_FASTER: u32 = 3;
 
+/// So many steps that come no further than a billionth of the duration, and do not double the time, come nowhere.
+const STANDSTILL: u32 = 5000;
+
 /// Tolerances below this are met at samples by steps that end there: the interpolant would be less accurate than the steps.
 const FINE: f64 = 1e-9;
 
 /// Tolerances below this reach a kink or event by steps of their own: the interpolant would be less accurate.
 const STEP_AGAIN: f64 = 3e-8;
-
-/// A ratio that is so many times as large as at the start has no bound.
-const GROWN: f64 = 1e6;
 
 /// Evaluations of the pass that measures sizes.
 const ROUGH: u64 = 6000;
@@ -136,8 +135,8 @@ pub struct Event {
 
 /// What one pass gives.
 pub(crate) struct Pass {
-    samples: Vec<(f64, Vec<f64>)>,
-    variables: Vec<Vec<f64>>,
+    pub(crate) samples: Vec<(f64, Vec<f64>)>,
+    pub(crate) variables: Vec<Vec<f64>>,
     /// Largest size of each state.
     pub(crate) largest: Vec<f64>,
     /// Time and state at its end.
@@ -252,7 +251,7 @@ impl Equations {
             }
             (pass, request.tolerance)
         };
-        self.end_where_not_finite(&mut pass);
+        self.end_where_not_finite(&mut compiled, &mut pass);
         let time: Vec<f64> = pass.samples.iter().map(|(t, _)| *t).collect();
         let series = self.series(&pass);
         let audit =
@@ -273,25 +272,6 @@ impl Equations {
             operations: compiled.operations(),
             periodic: None,
         }
-    }
-
-    /// Ends a pass before the first sample at which a quantity is no finite number: no step need have met it.
-    fn end_where_not_finite(&self, pass: &mut Pass) {
-        let bad = |values: &Vec<f64>| values.iter().position(|value| !value.is_finite());
-        let found = pass.variables.iter().enumerate().find_map(|(at, values)| Some((at, bad(values)?)));
-        let Some((at, which)) = found else { return };
-        let bonds = self.graph.bonds.len();
-        let name = match which {
-            effort if effort < bonds => format!("{}.effort", self.graph.bond_name(effort)),
-            flow if flow < 2 * bonds => format!("{}.flow", self.graph.bond_name(flow - bonds)),
-            signal => {
-                self.graph.signals.get(signal - 2 * bonds).map_or_else(String::new, |own| own.name.clone())
-            }
-        };
-        pass.ended = format!("`{name}` becomes no finite number at {} s", pass.samples[at].0);
-        pass.complete = false;
-        pass.samples.truncate(at);
-        pass.variables.truncate(at);
     }
 
     /// Sizes of all states of a rough pass with some samples.
@@ -453,6 +433,8 @@ impl Equations {
         // The last event that set states, when it came, how often at once.
         let mut setting = (usize::MAX, f64::NEG_INFINITY, 0);
         let mut stepped = (0.0, y.clone());
+        // Steps since a time from which the run has not got away.
+        let (mut stuck, mut stuck_from) = (0, 0.0);
         loop {
             let samples = &mut pass.samples;
             let largest = &mut pass.largest;
@@ -469,7 +451,11 @@ impl Equations {
                     samples.push((places[next], state));
                     next += 1;
                 }
-                if request.cancel.is_some_and(Cancel::is_set) {
+                stuck += 1;
+                if step.to - stuck_from > 1e-9 * request.duration || step.to > 2.0 * stuck_from {
+                    (stuck, stuck_from) = (0, step.to);
+                }
+                if stuck > STANDSTILL || request.cancel.is_some_and(Cancel::is_set) {
                     return ControlFlow::Break(());
                 }
                 ControlFlow::Continue(())
@@ -543,9 +529,11 @@ impl Equations {
                     }
                     at_once = if t - last_time <= 1e-9 * request.duration { at_once + 1 } else { 0 };
                     if at_once > CHATTER {
-                        pass.ended = format!(
-                            "a condition switches to and fro at {t} s: give it a small width, for example tanh(x/width) instead of sign(x)"
-                        );
+                        let root = self.root_at_zero(compiled, request.duration, t, &y);
+                        pass.ended = format!("a condition switches to and fro at {t} s")
+                            + &root.unwrap_or_else(|| {
+                                ": give it a small width, for example tanh(x/width) instead of sign(x)".into()
+                            });
                         break;
                     }
                 }
@@ -558,13 +546,21 @@ impl Equations {
                     pass.ended = "the whole duration".into();
                     break;
                 }
+                Outcome::Stopped if stuck > STANDSTILL => {
+                    pass.ended = format!("steps come no further than {t} s")
+                        + &self.root_at_zero(compiled, request.duration, t, &y).unwrap_or_default()
+                        + &self.grown_moduli(compiled, t, &y);
+                    break;
+                }
                 Outcome::Stopped => {
                     pass.ended = format!("cancelled at {t} s");
                     break;
                 }
                 other => {
-                    pass.ended = self.in_words(other, t, &y)
-                        + &self.fastest(compiled, t, &y, &pass.largest, other)
+                    let words = self.in_words(compiled, other, t, &y);
+                    let root = self.root_at_zero(compiled, request.duration, t, &y);
+                    pass.ended = words
+                        + &root.unwrap_or_else(|| self.fastest(compiled, t, &y, &pass.largest, other))
                         + &self.grown_moduli(compiled, t, &y);
                     break;
                 }
@@ -582,82 +578,6 @@ impl Equations {
         };
         pass.end = (t, y);
         pass
-    }
-
-    /// The state that changes fastest for its size where no step is short enough, in words.
-    fn fastest(
-        &self,
-        compiled: &mut Compiled,
-        t: f64,
-        y: &[f64],
-        largest: &[f64],
-        outcome: Outcome,
-    ) -> String {
-        if !matches!(outcome, Outcome::StepTooSmall { .. }) {
-            return String::new();
-        }
-        let mut rates = vec![0.0; largest.len()];
-        compiled.derivative(t, y, &mut rates);
-        let share = |index: &usize| rates[*index].abs() / largest[*index].max(f64::MIN_POSITIVE);
-        let found = (0..self.states.len()).max_by(|a, b| share(a).total_cmp(&share(b)));
-        found.map_or_else(String::new, |index| format!("; {} changes fastest", self.states[index].symbol))
-    }
-
-    /// Ratios of transformers and gyrators that have grown beyond measure since the start, in words; empty where none has.
-    fn grown_moduli(&self, compiled: &mut Compiled, t: f64, y: &[f64]) -> String {
-        let (pool, bonds) = (&self.graph.pool, self.graph.bonds.len());
-        let signals = self.graph.signals.len();
-        let start: Vec<f64> = self.states.iter().map(|state| state.start).collect();
-        let mut moduli = |t: f64, y: &[f64]| -> Vec<f64> {
-            let variables = compiled.variables(t, y, signals);
-            let of = |var: Var| match var {
-                Var::Time => t,
-                Var::Parameter(index) => self.graph.parameters[index as usize].value,
-                Var::Effort(bond) => variables[bond as usize],
-                Var::Flow(bond) => variables[bonds + bond as usize],
-                Var::Signal(signal) => {
-                    let is_state = |state: &crate::equations::State| {
-                        state.name == self.graph.signals[signal as usize].name
-                    };
-                    match self.states.iter().position(is_state) {
-                        Some(state) => y[state],
-                        None => variables[2 * bonds + signal as usize],
-                    }
-                }
-                _ => 0.0,
-            };
-            let ratio = |element: &Element| match element.law {
-                Law::Ratio(ratio) => pool.evaluate(ratio, &of),
-                _ => 0.0,
-            };
-            self.graph.elements.iter().map(ratio).collect()
-        };
-        let (now, first) = (moduli(t, y), moduli(0.0, &start));
-        let grown: Vec<String> = (self.graph.elements.iter().zip(now.iter().zip(&first)))
-            .filter(|(_, (now, first))| now.is_nan() || now.abs() > GROWN * first.abs().max(1e-3))
-            .map(|(element, (now, _))| format!("`{}` is {now:.3e}", element.name))
-            .collect();
-        if grown.is_empty() { String::new() } else { format!("; the ratio of {} there", grown.join(", ")) }
-    }
-
-    fn in_words(&self, outcome: Outcome, t: f64, y: &[f64]) -> String {
-        let state = |index: usize| match self.states.get(index) {
-            Some(state) => format!("{} (last {:.6e} {})", state.symbol, y[index], state.unit_name),
-            None => "an energy".to_owned(),
-        };
-        match outcome {
-            Outcome::TooManyEvaluations { limit } => {
-                format!("{limit} evaluations were not enough: at {t} s")
-            }
-            Outcome::NotFinite { component } => {
-                format!("the rate of {} is no finite number behind {t} s", state(component))
-            }
-            Outcome::StepTooSmall { .. } => {
-                format!("no step is short enough at {t} s: a quantity jumps or grows without bound")
-            }
-            Outcome::Singular => format!("Newton's matrix is singular at {t} s"),
-            other => format!("{other:?} at {t} s"),
-        }
     }
 }
 

@@ -156,7 +156,12 @@ fn prop_mutated_graphs_are_refused_or_run() {
                         ..found.request()
                     };
                     let run = found.simulate(&request);
-                    assert!(!run.time.is_empty() && !run.ended.is_empty());
+                    assert!(
+                        !run.time.is_empty() && !run.ended.is_empty(),
+                        "{}\n{}",
+                        run.ended,
+                        words.concat()
+                    );
                     let _ = (found.linear(), lanchester_bondgraph::modelica(&found));
                     let _ = found.shown(lanchester_bondgraph::Notation::Latex);
                     let _ = lanchester_bondgraph::drawing(&graph, &found.causality);

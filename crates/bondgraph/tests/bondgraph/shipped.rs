@@ -449,7 +449,7 @@ fn turbulent_tanks_against_a_fine_independent_integration() {
     let run = equations.simulate(&equations.request());
     assert!(run.complete, "{}", run.ended);
     let (c1, c2) = (0.05 / 9810.0, 0.08 / 9810.0);
-    let pipe = |e: f64| 3.5e-6 * e.signum() * e.abs().sqrt();
+    let pipe = |e: f64| 3.5e-6 * e / (e * e + 1.0).powf(0.25);
     let mut y = [9000.0 * c1, 0.0];
     let (samples, parts) = (run.time.len() - 1, 2000);
     let h = 600.0 / (samples * parts) as f64;
@@ -465,6 +465,105 @@ fn turbulent_tanks_against_a_fine_independent_integration() {
         worst = worst.max((series(&run, "tank2.effort")[sample] - y[1] / c2).abs());
     }
     assert!(worst < 0.05, "{worst} Pa");
+}
+
+/// The law of a textbook's orifice, sign(e) sqrt|e|, has an infinite slope at 0: the run says so at once, names the element and the cure; with it
+/// the same tanks fill from empty.
+#[test]
+fn a_root_at_zero_is_named_and_has_a_cure() {
+    let good = include_str!("../../../../examples/bond-graphs/two-tanks-turbulent.toml");
+    let empty = good.replace(", effort = \"9000 Pa\"", "").replace("tolerance = 1e-11", "tolerance = 1e-9");
+    let plain = empty.replace("regroot(e, 1 Pa)/sqrt(1 Pa)", "sign(e)*sqrt(abs(e)/(1 Pa))");
+    assert!(plain.contains("sign(e)"), "{plain}");
+    for method in [None, Some(Method::Explicit), Some(Method::Implicit)] {
+        let found = shipped(&plain);
+        let run = found.simulate(&SimulationRequest { method, ..found.request() });
+        assert!(!run.complete, "the plain law has come through, and this test means nothing");
+        assert!(
+            run.ended.contains("the root in the law of `") && run.ended.contains("regroot("),
+            "{}",
+            run.ended
+        );
+        assert!(run.statistics.evaluations < 200_000, "{:?}", run.statistics);
+        let found = shipped(&empty);
+        let run = found.simulate(&SimulationRequest { method, ..found.request() });
+        assert!(run.complete, "{}", run.ended);
+        // At rest at last: each orifice lets Q through, Kv sqrt(e) = Q, to the width's 1/4 (1/13061)^2.
+        let level = (4e-4f64 / 3.5e-6).powi(2);
+        let run = found.simulate(&SimulationRequest { method, duration: 3e5, ..found.request() });
+        let reached = series(&run, "tank2.effort").last().expect("a sample");
+        assert!((reached / level - 1.0).abs() < 1e-7, "{reached} {level}: {}", run.ended);
+    }
+    // A tank that runs empty, and friction by the root of the speed that starts at rest.
+    for text in [
+        r#"
+name = "drain"
+[elements]
+tank = { kind = "C", capacitance = "5e-6 m3/Pa", effort = "5000 Pa" }
+n = { kind = "0", domain = "hydraulic" }
+out = { kind = "R", flow = "3.5e-6 m3/s*sign(e)*sqrt(abs(e)/(1 Pa))" }
+[bonds]
+list = ["n > tank", "n > out"]
+[simulation]
+duration = "400 s"
+"#,
+        r#"
+name = "drag"
+[elements]
+push = { kind = "Se", effort = "1 N*t/(1 s)" }
+v = { kind = "1", domain = "translation" }
+m = { kind = "I", inertia = "1 kg" }
+out = { kind = "R", effort = "2 N*sign(f)*sqrt(abs(f)/(1 m/s))" }
+[bonds]
+list = ["push > v", "v > m", "v > out"]
+"#,
+    ] {
+        let run = shipped(text);
+        let run = run.simulate(&run.request());
+        assert!(run.ended.contains("the root in the law of `out`"), "{}", run.ended);
+        assert!(run.statistics.evaluations < 200_000, "{:?}", run.statistics);
+    }
+}
+
+/// A diode behind a resistor: the voltage goes through 80 times the exponent's unit between two samples, however far these are apart.
+#[test]
+fn an_exponential_in_a_loop_is_solved_from_afar() {
+    let text = r#"
+name = "clipper"
+[elements]
+s = { kind = "Se", effort = "5 V*sin(100 1/s*t)" }
+j = { kind = "1", domain = "electric" }
+r1 = { kind = "R", resistance = "100 Ohm" }
+d = { kind = "R", flow = "1e-12 A*(exp(e/(0.025 V)) - 1)" }
+[bonds]
+list = ["s > j", "j > r1", "j > d"]
+[simulation]
+duration = "0.1 s"
+"#;
+    let found = shipped(text);
+    for samples in [3, 20, 200, 1000] {
+        let run = found.simulate(&SimulationRequest { samples, ..found.request() });
+        assert!(run.complete, "{samples}: {}", run.ended);
+        let (current, voltage) = (series(&run, "d.flow"), series(&run, "d.effort"));
+        for (k, t) in run.time.iter().enumerate() {
+            let [over, law] = [100.0 * current[k] + voltage[k], 1e-12 * ((voltage[k] / 0.025).exp() - 1.0)];
+            assert!((over - 5.0 * (100.0 * t).sin()).abs() < 1e-12 * 5.0, "{samples} {t}");
+            assert!((law - current[k]).abs() <= 1e-11 * current[k].abs().max(1e-12), "{samples} {t}");
+        }
+    }
+    // f = -(f^2 + 1) has no solution: the loop is named.
+    let none = text
+        .replace("5 V*sin(100 1/s*t)", "0 V")
+        .replace("resistance = \"100 Ohm\"", "effort = \"1 V*((f/(1 A))^2 + 1)\"")
+        .replace("1e-12 A*(exp(e/(0.025 V)) - 1)", "1 A*e/(1 V)");
+    let run = shipped(&none);
+    let run = run.simulate(&run.request());
+    assert!(!run.complete);
+    assert!(
+        run.ended.contains("no solution of the algebraic loop of") && run.ended.contains("r1"),
+        "{}",
+        run.ended
+    );
 }
 
 #[test]
