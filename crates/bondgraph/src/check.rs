@@ -2,10 +2,10 @@
 
 use crate::description::{Description, Entry, Text};
 use crate::domain::Domain;
-use crate::expression::{Id, Parsed, Pool, Scope, Var, parse};
+use crate::expression::{Id, Node, Parsed, Pool, Scope, Var, parse, total};
 use crate::graph::{Asked, Bond, Element, Graph, Kind, Law, Parameter, Signal};
 use crate::mistake::Mistakes;
-use crate::unit::Unit;
+use crate::unit::{Unit, leading_unit};
 use std::collections::HashMap;
 use std::sync::Arc;
 
@@ -43,6 +43,11 @@ pub(crate) struct Checker<'a> {
     numbers_only: bool,
     /// Signals that are being read, one within the other.
     depth: usize,
+    /// Bonds whose domain is not known, and elements whose bonds are not: mistakes that are told already.
+    doubtful: Vec<bool>,
+    incomplete: Vec<bool>,
+    /// The integral that is being read, at its depth: it may contain itself.
+    own_integrand: Option<(usize, usize)>,
     /// Integrals of a known unit that were named on the way: their integrands are read afterwards.
     deferred: Vec<usize>,
 }
@@ -76,13 +81,17 @@ pub(crate) fn check(description: &Description, mistakes: &mut Mistakes) -> Optio
         local: HashMap::new(),
         numbers_only: true,
         depth: 0,
+        own_integrand: None,
+        doubtful: Vec::new(),
+        incomplete: Vec::new(),
         deferred: Vec::new(),
     };
     checker.names();
     checker.pool.curves =
         description.tables.iter().map(|(name, curve)| (name.text.clone(), Arc::new(curve.clone()))).collect();
     for (name, _) in &description.parameters {
-        let nothing = Parameter { name: name.text.clone(), unit: Unit::NONE, value: f64::NAN };
+        let nothing =
+            Parameter { name: name.text.clone(), unit: Unit::NONE, written_unit: None, value: f64::NAN };
         checker.parameters.push(nothing);
     }
     for index in 0..description.parameters.len() {
@@ -96,10 +105,6 @@ pub(crate) fn check(description: &Description, mistakes: &mut Mistakes) -> Optio
     for entry in &description.signals {
         let name = entry.name.text.clone();
         checker.signals.push(Signal { name, unit: Unit::NONE, value: zero, start: None });
-    }
-    if checker.mistakes.any() {
-        // Laws cannot be read against bonds that are not known.
-        return None;
     }
     for index in 0..description.signals.len() {
         checker.signal(index);
@@ -173,6 +178,7 @@ impl Checker<'_> {
             }
             self.parameters[index].value = value;
             self.parameters[index].unit = parsed.unit.unwrap_or(Unit::NONE);
+            self.parameters[index].written_unit = written_unit(&text.text);
         }
         // The symbol stands for the value from here on.
         let parsed = parsed
@@ -181,8 +187,11 @@ impl Checker<'_> {
         parsed
     }
 
-    /// Value of an expression of parameters.
+    /// Value of an expression of parameters. A sum that cancels to the rounding of its parts is 0.
     fn number(&self, id: Id) -> f64 {
+        if let Node::Sum(a, b) = self.pool.node(id) {
+            return total(self.number(a), self.number(b));
+        }
         self.pool.evaluate(id, &|var| match var {
             Var::Parameter(index) => self.parameters[index as usize].value,
             _ => f64::NAN,
@@ -318,9 +327,11 @@ impl Checker<'_> {
                     );
                 }
             }
+            self.incomplete.push(ports.iter().any(Option::is_none));
             if counts[element].is_some() {
                 self.elements[element].ports = ports.into_iter().flatten().collect();
             } else if self.elements[element].ports.is_empty() {
+                self.incomplete[element] = true;
                 let Text { text, span } = self.entry(element).name.clone();
                 let message = format!("junction `{text}` has no bond");
                 self.mistakes.push("E1708", &span, message, "add it to [bonds] list, or take it out");
@@ -389,6 +400,12 @@ impl Checker<'_> {
         }
     }
 
+    /// Whether all bonds of an element, and their domains, are known.
+    fn is_bonded(&self, element: usize) -> bool {
+        let ports = &self.elements[element].ports;
+        !self.incomplete[element] && ports.iter().all(|bond| !self.doubtful[*bond])
+    }
+
     /// The domain of each bond, from the junctions and elements that name one.
     fn domains(&mut self, ends: Vec<[usize; 2]>) {
         let mut given: Vec<Option<Domain>> = Vec::new();
@@ -416,8 +433,15 @@ impl Checker<'_> {
             }
         }
         // Domains spread along bonds, through junctions and one-ports, until nothing changes.
+        // Behind a bond or a domain that cannot be read, or a conflict, what is missing is told already.
+        let is_no_domain = |text: &Text| Domain::ALL.iter().all(|domain| domain.name() != text.text);
+        let mut is_told =
+            self.description.elements.iter().any(|entry| entry.get("domain").is_some_and(is_no_domain))
+                || ends.len() < self.description.bonds.len()
+                || self.elements.len() < self.description.elements.len();
+        let mut conflict = false;
         let mut changed = true;
-        while changed {
+        while changed && !conflict {
             changed = false;
             for (bond, pair) in ends.iter().enumerate() {
                 for element in *pair {
@@ -437,11 +461,14 @@ impl Checker<'_> {
                             changed = true;
                         }
                         (Some(a), Some(b)) if a != b => {
+                            if conflict {
+                                continue;
+                            }
+                            (conflict, is_told) = (true, true);
                             let Text { text, span } = self.entry(element).name.clone();
                             let message = format!("`{text}` joins {} and {}", a.name(), b.name());
                             let hint = "domains meet in a transformer or gyrator alone";
                             self.mistakes.push("E1710", &span, message, hint);
-                            return;
                         }
                         _ => {}
                     }
@@ -449,7 +476,11 @@ impl Checker<'_> {
             }
         }
         for (bond, [from, to]) in ends.into_iter().enumerate() {
+            self.doubtful.push(conflict || domains[bond].is_none());
             let domain = domains[bond].unwrap_or_else(|| {
+                if is_told {
+                    return Domain::Translation;
+                }
                 let junction = if self.elements[to].is_junction() { to } else { from };
                 let Text { text, span } = self.entry(junction).name.clone();
                 let message = format!("the domain of `{text}` is not known");
@@ -564,12 +595,20 @@ impl Checker<'_> {
             Some((element, port)) => (element, port.parse::<usize>().ok()),
             None => (path, Some(1)),
         };
-        let Some(element) = self.elements.iter().find(|element| element.name == element_name) else {
+        let Some(index) = self.elements.iter().position(|element| element.name == element_name) else {
+            if self.description.elements.iter().any(|entry| entry.name.text == element_name) {
+                // Its kind is a mistake already.
+                return Err(None);
+            }
             return Err(Some((
                 format!("there is no element `{element_name}`"),
                 "name an element of [elements]".into(),
             )));
         };
+        if !self.is_bonded(index) {
+            return Err(None);
+        }
+        let element = &self.elements[index];
         let bond = port.and_then(|port| element.ports.get(port.checked_sub(1)?)).copied();
         let Some(bond) = bond else {
             return Err(Some((
@@ -611,6 +650,15 @@ impl Checker<'_> {
         };
         Ok(Parsed { id: self.pool.var(var), unit: Some(unit) })
     }
+}
+
+/// The unit of `12.5 N m/A` as it is written, where it is one of SI as a whole.
+fn written_unit(text: &str) -> Option<String> {
+    let number = text.trim_start().trim_start_matches(['+', '-']);
+    let digits = number.find(|c: char| !(c.is_ascii_digit() || matches!(c, '.' | 'e' | 'E' | '+' | '-')))?;
+    let rest = &number[digits..];
+    let (length, factor, _) = leading_unit(rest)?;
+    (factor == 1.0 && rest[length..].trim().is_empty()).then(|| rest.trim().to_owned())
 }
 
 /// Ports of a field: the largest number behind one of the letters in its energy.

@@ -127,6 +127,11 @@ impl Pool {
         match self.node(a) {
             Node::Constant(bits) => self.constant(-f64::from_bits(bits)),
             Node::Negative(b) => b,
+            // -(-x + y) = x - y, to the last digit.
+            Node::Sum(x, y) if matches!(self.node(x), Node::Negative(_)) => {
+                let (x, y) = (self.negative(x), self.negative(y));
+                self.sum(x, y)
+            }
             _ => self.keep(Node::Negative(a)),
         }
     }
@@ -139,7 +144,7 @@ impl Pool {
             return a;
         }
         if let (Some(x), Some(y)) = (self.value(a), self.value(b)) {
-            return self.constant(x + y);
+            return self.constant(total(x, y));
         }
         if self.negative(a) == b {
             return self.constant(0.0);
@@ -407,6 +412,15 @@ impl Pool {
             Node::Table(curve, derivative, a) => self.curves[curve as usize].1.at(at(a), derivative),
         }
     }
+}
+
+/// What of two numbers, each rounded and each of some operations, their sum may leave where it is 0, as a share of the larger.
+const CANCELLED: f64 = 4.0 * f64::EPSILON;
+
+/// The sum of two numbers of a file; one that cancels to their rounding is 0.
+pub(crate) fn total(x: f64, y: f64) -> f64 {
+    let sum = x + y;
+    if sum.abs() <= CANCELLED * x.abs().max(y.abs()) { 0.0 } else { sum }
 }
 
 impl Function {

@@ -51,6 +51,8 @@ pub struct Period {
 pub(crate) struct Parameter {
     pub(crate) name: String,
     pub(crate) unit: Unit,
+    /// The unit as its file writes it, where that is one of SI.
+    pub(crate) written_unit: Option<String>,
     pub(crate) value: f64,
 }
 
@@ -180,7 +182,9 @@ impl Graph {
     /// What a bond is called: its one-port element, or both ends.
     pub(crate) fn bond_name(&self, bond: usize) -> String {
         let Bond { from, to, .. } = self.bonds[bond];
-        for end in [to, from] {
+        // What a gas holds is named after the gas, whatever stands at its other ports.
+        let is_gas = self.elements[to].kind == Kind::Gas;
+        for end in [to, from].into_iter().filter(|_| !is_gas) {
             if self.elements[end].ports.len() == 1 && !self.elements[end].is_junction() {
                 return self.elements[end].name.clone();
             }

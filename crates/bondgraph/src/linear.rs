@@ -265,7 +265,12 @@ fn with_free_sources(graph: &Graph) -> (Graph, Vec<String>) {
             *value = free.pool.var(Var::Parameter(free.parameters.len() as u32));
             let what = if element.kind == Kind::Se { "effort" } else { "flow" };
             let name = format!("{}.{what}", element.name);
-            free.parameters.push(Parameter { name: name.clone(), unit: Unit::NONE, value: 0.0 });
+            free.parameters.push(Parameter {
+                name: name.clone(),
+                unit: Unit::NONE,
+                written_unit: None,
+                value: 0.0,
+            });
             inputs.push(name);
         }
     }

@@ -2,6 +2,7 @@
 
 pub(crate) mod draw;
 pub(crate) mod export;
+mod greek;
 mod label;
 pub(crate) mod latex;
 mod layout;

@@ -2,6 +2,7 @@
 
 pub(crate) mod audit;
 mod compiled;
+mod conditions;
 mod following;
 mod held;
 pub(crate) mod motion;

@@ -53,6 +53,10 @@ impl Checker<'_> {
             self.mistakes.push("E1709", &element.span, message, format!("give one of {}", laws.join(", ")));
             return;
         }
+        if !self.is_bonded(index) {
+            // What it says of its bonds cannot be read.
+            return;
+        }
         let law = match (element.kind, given.first()) {
             (Kind::Zero | Kind::One, _) | (_, None) => Some(Law::Junction),
             (Kind::Se | Kind::Sf, Some((_, text))) => {

@@ -15,13 +15,21 @@ impl Checker<'_> {
         let name = &entry.name;
         let symbol = self.pool.var(Var::Signal(index as u32));
         if self.signal_progress[index] == Progress::Reading {
+            if self.own_integrand == Some((index, self.depth)) {
+                // Its unit is that of the rest of the integrand.
+                return Some(Parsed { id: symbol, unit: None });
+            }
+            if entry.get("integral_of").is_some() {
+                let message = format!(
+                    "the unit of `{}` is not known: it needs itself through another signal",
+                    name.text
+                );
+                let hint = "give its start a unit, for example start = \"0 rad\"";
+                self.mistakes.push("E1711", &name.span, message, hint);
+                return None;
+            }
             let message = format!("signal `{}` needs itself", name.text);
-            self.mistakes.push(
-                "E1711",
-                &name.span,
-                message,
-                "break the circle with an integral, or give its start a unit",
-            );
+            self.mistakes.push("E1711", &name.span, message, "break the circle with an integral");
             return None;
         }
         for (key, _) in &entry.keys {
@@ -94,7 +102,19 @@ impl Checker<'_> {
             _ => None,
         };
         self.depth += 1;
-        let integrand = parse(text, self);
+        let before = std::mem::replace(&mut self.own_integrand, Some((index, self.depth)));
+        let mut integrand = parse(text, self);
+        self.own_integrand = before;
+        if let (Progress::Reading, Some(Parsed { unit: Some(unit), .. })) =
+            (self.signal_progress[index], integrand)
+        {
+            // Now that its unit is known, that of each part is checked.
+            let symbol = self.pool.var(Var::Signal(index as u32));
+            let own = Parsed { id: symbol, unit: Some(unit.times(Unit::SECOND)) };
+            self.signal_progress[index] = Progress::Done(Some(own));
+            integrand = parse(text, self);
+            self.signal_progress[index] = Progress::Reading;
+        }
         self.depth -= 1;
         integrand.map(|integrand| {
             self.signals[index].value = integrand.id;

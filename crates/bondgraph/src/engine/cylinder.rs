@@ -243,7 +243,10 @@ impl Builder<'_> {
             let shaft = &self.engine.crankshafts[self.engine.throws[cylinder.throw].crankshaft];
             let ratio = shaft.ratio.value().abs();
             let firing = self.numbers.cylinders[index].firing.unwrap_or(0.0);
-            let angle = combination(&[(ratio, "theta"), (1.0, &angle_text(-ratio * firing))]);
+            let phase = -ratio * firing;
+            // Below the last digit of an angle of two revolutions a phase is rounding.
+            let phase = if phase.abs() < 2.0 * std::f64::consts::TAU * f64::EPSILON { 0.0 } else { phase };
+            let angle = combination(&[(ratio, "theta"), (1.0, &angle_text(phase))]);
             self.signal(&format!("psi{k}"), &angle);
         }
         if let Some(states) = states {

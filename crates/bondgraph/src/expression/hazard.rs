@@ -40,7 +40,7 @@ impl Pool {
     }
 
     /// An expression and all that it is made of.
-    fn parts(&self, id: Id) -> Vec<Id> {
+    pub(crate) fn parts(&self, id: Id) -> Vec<Id> {
         let (mut seen, mut left, mut found) = (HashSet::from([id]), vec![id], Vec::new());
         while let Some(own) = left.pop() {
             found.push(own);

@@ -61,6 +61,17 @@ impl<N: Fn(Var) -> String> Printed<'_, N> {
         out
     }
 
+    /// An expression times something that is named: `-x` for -1, and a sign in front of the product.
+    pub(crate) fn times(&self, id: Id, named: &str) -> String {
+        let (minus, factor) = match self.pool.node(id) {
+            Node::Negative(inner) => ("-", self.factor(inner)),
+            Node::Constant(bits) if f64::from_bits(bits) < 0.0 => ("-", self.number(-f64::from_bits(bits))),
+            _ => ("", self.factor(id)),
+        };
+        let sign = if self.style == Style::Latex { " \\, " } else { "*" };
+        if factor == "1" { format!("{minus}{named}") } else { format!("{minus}{factor}{sign}{named}") }
+    }
+
     /// Whether nothing more is written; then dots stand where the first part is left out.
     fn is_full(&self, out: &mut String) -> bool {
         let full = out.len() >= self.longest;

@@ -1,5 +1,7 @@
 //! Equations as MathML, which browsers and reports draw without a program: from the LaTeX that [`crate::Equations::shown`] writes.
 
+use crate::output::greek::GREEK;
+
 /// An equation in LaTeX, of the commands that this crate writes, as one MathML element.
 ///
 /// ```
@@ -27,18 +29,8 @@ struct Reader<'a> {
 }
 
 /// Letters of a command's name with the sign for it.
-const SIGNS: [(&str, &str); 10] = [
-    ("theta", "θ"),
-    ("phi", "φ"),
-    ("omega", "ω"),
-    ("alpha", "α"),
-    ("to", "→"),
-    ("cdot", "·"),
-    ("ldots", "…"),
-    ("leftarrow", "←"),
-    ("min", "min"),
-    ("max", "max"),
-];
+const SIGNS: [(&str, &str); 6] =
+    [("to", "→"), ("cdot", "·"), ("ldots", "…"), ("leftarrow", "←"), ("min", "min"), ("max", "max")];
 
 impl Reader<'_> {
     fn rest(&self) -> &str {
@@ -139,7 +131,7 @@ impl Reader<'_> {
         let length = rest.len() - rest.trim_start_matches(|c: char| c.is_ascii_alphabetic()).len();
         let name = rest[..length].to_owned();
         self.at += length;
-        if let Some((_, sign)) = SIGNS.iter().find(|(own, _)| *own == name) {
+        if let Some((_, sign)) = GREEK.iter().chain(&SIGNS).find(|(own, _)| *own == name) {
             let is_letter = sign.chars().all(char::is_alphabetic);
             return if is_letter { format!("<mi>{sign}</mi>") } else { format!("<mo>{sign}</mo>") };
         }

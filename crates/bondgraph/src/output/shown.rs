@@ -3,6 +3,7 @@
 use crate::equations::{Equations, Unknown, What};
 use crate::expression::{Id, Pool, Printed, Style, Var, identifier};
 use crate::graph::{Graph, Kind, Law};
+use crate::output::greek::GREEK;
 use serde::Serialize;
 use std::collections::HashMap;
 
@@ -126,7 +127,7 @@ impl Equations {
                     of: parameter.name.clone(),
                     left: self.plain_name(&parameter.name, style),
                     right: printed.number(parameter.value),
-                    unit: parameter.unit.to_string(),
+                    unit: parameter.written_unit.clone().unwrap_or_else(|| parameter.unit.to_string()),
                 })
                 .collect(),
             elements: self.element_laws(&printed),
@@ -237,16 +238,7 @@ impl Equations {
 
     fn plain_name(&self, name: &str, style: Style) -> String {
         match style {
-            Style::Latex => {
-                let mut letters = name.chars();
-                match (letters.next(), letters.as_str()) {
-                    (Some(letter), "") => letter.to_string(),
-                    _ if name == "theta" || name == "phi" || name == "omega" || name == "alpha" => {
-                        format!("\\{name}")
-                    }
-                    _ => format!("\\mathrm{{{}}}", name.replace('_', "\\_")),
-                }
-            }
+            Style::Latex => symbol(name),
             Style::Text => name.to_owned(),
             Style::Modelica => name.replace('.', "_"),
         }
@@ -358,14 +350,12 @@ impl Equations {
                 }
                 Law::Ratio(ratio) => {
                     let (a, b) = (element.ports[0], element.ports[1]);
-                    let ratio = printed.factor(*ratio);
-                    let sign = times(printed.style);
                     if element.kind == Kind::TF {
-                        add(flow(b), format!("{ratio}{sign}{}", flow(a)), units(b)[1]);
-                        add(effort(a), format!("{ratio}{sign}{}", effort(b)), units(a)[0]);
+                        add(flow(b), printed.times(*ratio, &flow(a)), units(b)[1]);
+                        add(effort(a), printed.times(*ratio, &effort(b)), units(a)[0]);
                     } else {
-                        add(effort(a), format!("{ratio}{sign}{}", flow(b)), units(a)[0]);
-                        add(effort(b), format!("{ratio}{sign}{}", flow(a)), units(b)[0]);
+                        add(effort(a), printed.times(*ratio, &flow(b)), units(a)[0]);
+                        add(effort(b), printed.times(*ratio, &flow(a)), units(b)[0]);
                     }
                 }
                 Law::Matrix(rows) => {
@@ -375,13 +365,11 @@ impl Equations {
                             .iter()
                             .enumerate()
                             .filter(|(_, id)| !graph.pool.is_zero(**id))
-                            .map(|(k, id)| {
-                                let sign = times(printed.style);
-                                format!("{}{sign}{}", printed.factor(*id), flow(element.ports[k]))
-                            })
+                            .map(|(k, id)| printed.times(*id, &flow(element.ports[k])))
                             .collect();
                         let out = element.ports[columns + row];
                         let sum = if terms.is_empty() { "0".to_owned() } else { terms.join(" + ") };
+                        let sum = sum.replace("+ -", "- ");
                         add(flow(out), sum, units(out)[1]);
                     }
                 }
@@ -455,9 +443,38 @@ impl Equations {
     }
 }
 
-/// Between two factors.
-fn times(style: Style) -> &'static str {
-    if style == Style::Latex { " \\, " } else { "*" }
+/// A name as a symbol of LaTeX: `mu_3`, `m_c` and `A1` have a subscript, words are upright.
+fn symbol(name: &str) -> String {
+    let is_greek = |word: &str| GREEK.iter().any(|(name, _)| *name == word);
+    let of_word = |word: &str| -> String {
+        match word {
+            _ if word.chars().count() == 1 => word.to_owned(),
+            _ if is_greek(word) => format!("\\{word}"),
+            _ if word.chars().all(|c| c.is_ascii_digit()) => word.to_owned(),
+            _ => format!("\\mathrm{{{word}}}"),
+        }
+    };
+    let (base, mut below) = match name.split_once('_') {
+        Some((base, below)) if !base.is_empty() => (base, vec![below]),
+        _ => (name, Vec::new()),
+    };
+    if base.starts_with('_') || below.iter().any(|own| own.split('_').any(str::is_empty)) {
+        return format!("\\mathrm{{{}}}", name.replace('_', "\\_"));
+    }
+    // A letter with a number behind it.
+    let letters = base.trim_end_matches(|c: char| c.is_ascii_digit());
+    let is_letter = letters.chars().count() == 1 || is_greek(letters);
+    let base = if is_letter && letters.len() < base.len() {
+        below.insert(0, &base[letters.len()..]);
+        letters
+    } else {
+        base
+    };
+    let below: Vec<String> = below.iter().flat_map(|own| own.split('_')).map(of_word).collect();
+    match below.is_empty() {
+        true => of_word(base),
+        false => format!("{}_{{{}}}", of_word(base), below.join(",")),
+    }
 }
 
 /// The rate of a variable.

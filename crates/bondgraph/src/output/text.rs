@@ -10,6 +10,8 @@ use crate::run::motion::{PeriodicEnd, PeriodicMotion};
 use crate::run::simulate::Simulation;
 use std::fmt::Write;
 
+/// Events that are listed at most.
+const MOST_EVENTS: usize = 12;
 /// Multipliers that are listed at most.
 const MOST_MULTIPLIERS: usize = 12;
 
@@ -27,6 +29,10 @@ pub fn causality_text(graph: &Graph, causality: &Causality) -> String {
         let (first, rest) = follower.path.split_first().map_or(("", [].as_slice()), |(f, r)| (f.as_str(), r));
         let through = rest.split_last().map_or(String::new(), |(_, through)| through.join(", "));
         let through = if through.is_empty() { through } else { format!(" through {through}") };
+        if follower.path.len() == 1 {
+            let _ = writeln!(out, "{} follows by choice: not a state", follower.element);
+            continue;
+        }
         let _ = writeln!(out, "{} follows {first}{through}: not a state", follower.element);
     }
     if causality.loops.is_empty() {
@@ -179,6 +185,7 @@ pub fn simulation_text(run: &Simulation) -> String {
     if let Some(periodic) = &run.periodic {
         out += &periodic_text(periodic);
     }
+    out += &events_text(run);
     let _ =
         writeln!(out, "{:<32} {:>15} {:>15} {:>15} {:>15}", "quantity", "start", "least", "largest", "end");
     for series in &run.series {
@@ -194,6 +201,23 @@ pub fn simulation_text(run: &Simulation) -> String {
         );
     }
     out
+}
+
+/// The first events with time and condition.
+fn events_text(run: &Simulation) -> String {
+    let mut out = String::new();
+    if run.events.is_empty() {
+        return out;
+    }
+    out += "events\n";
+    for event in run.events.iter().take(MOST_EVENTS) {
+        let becomes = if event.on { "becomes true" } else { "ends" };
+        let _ = writeln!(out, "  {:>14.9} s  {} {becomes}", event.time, event.expression);
+    }
+    if run.events.len() > MOST_EVENTS {
+        let _ = writeln!(out, "  and {} more (all in JSON)", run.events.len() - MOST_EVENTS);
+    }
+    out + "\n"
 }
 
 /// How the search for a periodic motion ended.

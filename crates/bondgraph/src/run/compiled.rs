@@ -35,6 +35,8 @@ pub(crate) struct Compiled {
     /// Conditions and arguments of curves.
     switch_functions: Tape,
     pub(crate) held: Held,
+    /// Each condition as the graph writes it.
+    pub(crate) conditions: Vec<String>,
     /// Of each event of the graph: its switch, the states that it sets.
     rules: Vec<(u32, Vec<u32>)>,
     /// Switches of events that end the simulation.
@@ -151,6 +153,7 @@ impl Compiled {
                 slopes: None,
                 switch_functions: functions,
                 held: Held::new(&switches, &pool),
+                conditions: equations.conditions(&mut pool, &number, &mut known, &switches.functions),
                 rules,
                 stops,
                 divisors,
@@ -201,6 +204,7 @@ impl Compiled {
             slopes: Some(slopes),
             switch_functions,
             held: Held::new(&switches, &pool),
+            conditions: equations.conditions(&mut pool, &number, &mut known, &switches.functions),
             rules,
             stops,
             divisors,

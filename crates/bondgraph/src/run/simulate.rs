@@ -129,6 +129,8 @@ pub struct Event {
     pub time: f64,
     /// Which condition, by its place among those of the graph.
     pub condition: usize,
+    /// That condition as the graph writes it: `pipe.effort > 0`.
+    pub expression: String,
     /// Whether it became true.
     pub on: bool,
 }
@@ -476,7 +478,12 @@ impl Equations {
                         step_again(compiled, request, absolute, &stepped, t, &mut y);
                     }
                     if compiled.held.is_condition(index) {
-                        pass.events.push(Event { time: t, condition: index, on: rising });
+                        pass.events.push(Event {
+                            time: t,
+                            condition: index,
+                            expression: compiled.conditions[index].clone(),
+                            on: rising,
+                        });
                     }
                     if let Some(element) = compiled.infinite(index) {
                         let name = &self.graph.elements[element].name;

@@ -278,7 +278,7 @@ fn single_cylinder_keeps_its_energy() {
     assert!(run.complete, "{}", run.ended);
     assert!(run.audit.as_ref().expect("asked for").whole < 1e-9);
     let exponent = 1.0 + 287.0 / 718.0;
-    let (pressure, theta) = (values(&run, "no_leak.effort"), values(&run, "theta"));
+    let (pressure, theta) = (values(&run, "gas.2.effort"), values(&run, "theta"));
     assert!(
         theta[theta.len() - 1] > 20.0,
         "it turns through several compressions: {}",

@@ -140,3 +140,36 @@ fn tables_stand_in_the_modelica_text() {
         assert!(modelica.contains(part), "no {part} in\n{modelica}");
     }
 }
+
+/// Events stand in the text with their time and the condition as the graph writes it, the first dozen of them.
+#[test]
+fn events_are_listed_with_their_conditions() {
+    let text = r#"
+name = "rattle"
+[elements]
+push = { kind = "Se", effort = "1 N*sin(40*t/(1 s))" }
+v = { kind = "1", domain = "translation" }
+m = { kind = "I", inertia = "1 kg" }
+stop = { kind = "C", law = "if(q > 1 mm, 200 N/m*(q - 1 mm), 0 N)" }
+rub = { kind = "R", effort = "0.3 N*tanh(f/(1 mm/s)) + 1 N s/m*max(f, 2 mm/s)" }
+[signals]
+x = { integral_of = "v.flow", start = "0 mm" }
+[[event]]
+when = "t - 0.25 s"
+set = { "m.momentum" = "0 N s" }
+[bonds]
+list = ["push > v", "v > m", "v > stop", "v > rub"]
+[simulation]
+duration = "2 s"
+"#;
+    let found = equations(&Graph::read(text).expect("good")).expect("no conflict");
+    let run = found.simulate(&found.request());
+    assert!(run.complete, "{}", run.ended);
+    let own = |expression: &str| run.events.iter().filter(|event| event.expression == expression).count();
+    assert_eq!(own("t - 0.25 > 0"), 1, "{:#?}", run.events);
+    assert!(own("stop.displacement - 0.001 > 0") > 0 && own("rub.flow - 0.002 > 0") > 0, "{:#?}", run.events);
+    let text = lanchester_bondgraph::simulation_text(&run);
+    assert!(text.contains("0.250000000 s  t - 0.25 > 0 becomes true"), "{text}");
+    assert!(run.events.len() > 12, "{}", run.events.len());
+    assert!(text.contains(&format!("and {} more", run.events.len() - 12)), "{text}");
+}

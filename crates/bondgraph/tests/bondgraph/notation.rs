@@ -154,3 +154,58 @@ fn a_cut_equation_is_closed() {
     let law = &shown.rates[0].right;
     assert!(law.contains("...") && law.matches('(').count() == law.matches(')').count(), "{law}");
 }
+
+/// Names with Greek letters and subscripts, signs and units as a textbook prints them; numbers of pure rounding are 0.
+#[test]
+fn symbols_signs_and_units_are_those_of_a_textbook() {
+    let text = r#"
+name = "signs"
+[parameters]
+mu_3 = "2"
+m_c = "1.5 kg"
+A1 = "3 N s/m"
+rho_g = "9810 N/m^3"
+km = "0.08 N m/A"
+b_2 = "0.3 m - 0.1 m - 0.2 m"
+stiff = "200 N/mm"
+[elements]
+a = { kind = "1", domain = "translation" }
+b = { kind = "1", domain = "translation" }
+c = { kind = "1", domain = "translation" }
+mass_a = { kind = "I", inertia = "m_c", flow = "1 m/s" }
+mass_b = { kind = "I", inertia = "m_c" }
+arm = { kind = "MTF", matrix = "1; -mu_3*cos(phi_1)" }
+damper = { kind = "R", resistance = "A1" }
+lever = { kind = "TF", ratio = "-1" }
+d = { kind = "1", domain = "translation" }
+spring = { kind = "C", stiffness = "stiff" }
+dash = { kind = "R", resistance = "A1" }
+[signals]
+phi_1 = { integral_of = "a.flow/(1 m)", start = "0.1 rad" }
+[bonds]
+list = ["a > mass_a", "b > mass_b", "a > arm.1", "b > arm.2", "arm.3 > c", "c > damper", "b > lever.1", "lever.2 > d", "d > spring", "d > dash"]
+"#;
+    let found = equations(&Graph::read(text).expect("good")).expect("no conflict");
+    let (plain, latex) = (found.shown(Notation::Text), found.shown(Notation::Latex));
+    let line = |list: &[lanchester_bondgraph::Equation], left: &str| -> String {
+        let own =
+            list.iter().find(|own| own.left == left).unwrap_or_else(|| panic!("no {left} in {list:#?}"));
+        format!("{} [{}]", own.right, own.unit)
+    };
+    assert_eq!(line(&plain.elements, "arm.3.flow"), "arm.1.flow - mu_3*cos(phi_1)*arm.2.flow [m/s]");
+    assert_eq!(line(&plain.elements, "lever.2.flow"), "-lever.1.flow [m/s]");
+    assert_eq!(line(&plain.parameters, "km"), "0.08 [N m/A]");
+    assert_eq!(line(&plain.parameters, "rho_g"), "9810 [N/m^3]");
+    assert_eq!(line(&plain.parameters, "stiff"), "200000 [N/m]");
+    assert_eq!(line(&plain.parameters, "b_2"), "0 [m]");
+    let lefts: Vec<&str> = latex.parameters.iter().map(|own| own.left.as_str()).collect();
+    assert_eq!(
+        lefts,
+        ["\\mu_{3}", "m_{c}", "A_{1}", "\\rho_{g}", "\\mathrm{km}", "b_{2}", "\\mathrm{stiff}"]
+    );
+    // d(mass_b)/dt has a sum that is taken off as a whole: no sign stands before a bracket that begins with one.
+    let rates: Vec<String> = plain.rates.iter().map(|own| own.right.clone()).collect();
+    assert!(rates.iter().all(|rate| !rate.contains("(-")), "{rates:#?}");
+    let set = mathml("\\dot \\phi_{1} = \\mu_{3} \\, m_{c}");
+    assert!(set.contains("μ") && set.contains("<msub>"), "{set}");
+}

@@ -370,8 +370,8 @@ fn lit_single_cylinder() {
         ("wheel.momentum", 5.0, 15.0),
         // What the piston took of the volume, mass, energy.
         ("gas.1.displacement", 0.0, 4e-4),
-        ("no_leak.displacement", 4e-4, 6e-4),
-        ("no_heat.displacement", 100.0, 200.0),
+        ("gas.2.displacement", 4e-4, 6e-4),
+        ("gas.3.displacement", 100.0, 200.0),
         ("theta", -3.0, 3.0),
     ];
     are_the_textbook(&found!("single-cylinder"), &ranges, |y| {
