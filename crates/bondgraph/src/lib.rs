@@ -63,7 +63,8 @@ pub use output::mathml::mathml;
 pub use output::parts::{EquationPart, PartLine};
 pub use output::shown::{Equation, Notation, ShownEquations, ShownState, ShownUnknown};
 pub use output::text::{
-    audit_text, causality_text, equations_text, linear_text, simulation_csv, simulation_text,
+    audit_text, causality_text, equations_text, graph_text, linear_text, simulation_csv, simulation_text,
+    simulation_text_in_short,
 };
 pub use output::write::graph_file;
 pub use run::audit::{Audit, BondEnergy, ElementEnergy, Residual};

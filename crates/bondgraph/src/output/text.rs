@@ -10,6 +10,8 @@ use crate::run::motion::{PeriodicEnd, PeriodicMotion};
 use crate::run::simulate::Simulation;
 use std::fmt::Write;
 
+/// Rows of a run that are shown at most where not all are asked for.
+const MOST_ROWS: usize = 40;
 /// Events that are listed at most.
 const MOST_EVENTS: usize = 12;
 /// Multipliers that are listed at most.
@@ -41,6 +43,34 @@ pub fn causality_text(graph: &Graph, causality: &Causality) -> String {
     for AlgebraicLoop { elements, cut_at } in &causality.loops {
         let _ = writeln!(out, "Algebraic loop of {}, cut at {}", elements.join(", "), cut_at.join(" and "));
     }
+    out
+}
+
+/// A graph in a few lines: what it is made of, which stores are states, how many follow.
+pub fn graph_text(graph: &Graph, causality: &Causality) -> String {
+    let mut kinds: Vec<(&str, usize)> = Vec::new();
+    for element in &graph.elements {
+        let written = element.written.as_str();
+        match kinds.iter_mut().find(|(known, _)| *known == written) {
+            Some((_, count)) => *count += 1,
+            None => kinds.push((written, 1)),
+        }
+    }
+    let kinds: Vec<String> = kinds.into_iter().map(|(kind, count)| format!("{count} {kind}")).collect();
+    let mut out =
+        format!("{}: {} elements and {} bonds\n", graph.name, graph.elements.len(), graph.bonds.len());
+    let _ = writeln!(out, "elements: {}", kinds.join(", "));
+    let _ = writeln!(out, "{} stores are states: {}", causality.states.len(), listed(&causality.states));
+    let follow = match causality.followers.len() {
+        0 => "no store follows others".to_owned(),
+        count => format!("{count} stores follow others: no states of their own"),
+    };
+    let loops = match causality.loops.len() {
+        0 => "no algebraic loop".to_owned(),
+        1 => "one algebraic loop".to_owned(),
+        count => format!("{count} algebraic loops"),
+    };
+    let _ = writeln!(out, "{follow}; {loops}");
     out
 }
 
@@ -114,11 +144,16 @@ pub fn linear_text(linear: &Linear) -> String {
 
 /// Six significant digits, without zeros at the end.
 fn digits(value: f64) -> String {
+    significant(value, 6)
+}
+
+/// So many significant digits, without zeros at the end.
+fn significant(value: f64, count: usize) -> String {
     if value == 0.0 || !value.is_finite() {
         return if value == 0.0 { "0".into() } else { value.to_string() };
     }
     // The exponent after rounding to the digits that are shown.
-    let scientific = format!("{value:.5e}");
+    let scientific = format!("{value:.*e}", count - 1);
     let (mantissa, exponent) = scientific.split_once('e').unwrap_or((&scientific, "0"));
     let exponent: i32 = exponent.parse().unwrap_or(0);
     let short = |text: &str| -> String {
@@ -129,7 +164,7 @@ fn digits(value: f64) -> String {
         }
     };
     match exponent {
-        -4..=5 => short(&format!("{value:.*}", (5 - exponent) as usize)),
+        -4..=5 => short(&format!("{value:.*}", (count as i32 - 1 - exponent).max(0) as usize)),
         _ => format!("{}e{exponent}", short(mantissa)),
     }
 }
@@ -158,8 +193,70 @@ fn polynomial(coefficients: &[f64]) -> String {
     if terms.is_empty() { "0".into() } else { terms.join(" + ").replace("+ -", "- ") }
 }
 
-/// A simulation as text: how it ran and the extremes of every quantity.
+/// A simulation as text: how it ran, of an engine its speed, torque and block, and the extremes of every quantity.
 pub fn simulation_text(run: &Simulation) -> String {
+    simulation_head(run) + &quantities_text(run, run.series.len())
+}
+
+/// The same with the extremes of states and signals alone where there are many quantities, and the number of those that are left out.
+pub fn simulation_text_in_short(run: &Simulation) -> (String, usize) {
+    // States come first.
+    let bonds = run.series.iter().position(|own| own.name.ends_with(".effort")).unwrap_or(run.series.len());
+    let shown = if run.series.len() <= MOST_ROWS { run.series.len() } else { bonds.min(MOST_ROWS) };
+    (simulation_head(run) + &quantities_text(run, shown), run.series.len() - shown)
+}
+
+/// Of a run of an engine: speed, torque of load or drive, way of the block.
+fn engine_text(run: &Simulation) -> String {
+    let (Some(_), Some(speed)) = (run.values("theta"), run.values("crank.flow")) else {
+        return String::new();
+    };
+    let four = |value: f64| significant(value, 4);
+    let rpm = 30.0 / std::f64::consts::PI;
+    let range = |values: &[f64]| {
+        let ends = (f64::INFINITY, f64::NEG_INFINITY);
+        values.iter().fold(ends, |(least, most), value| (least.min(*value), most.max(*value)))
+    };
+    let (least, most) = range(speed);
+    let (first, last) = (speed.first().unwrap_or(&f64::NAN), speed.last().unwrap_or(&f64::NAN));
+    let mut out = format!(
+        "speed of crankshaft 1: {:.1} rpm at the start, {:.1} rpm at the end, {:.1} to {:.1} rpm on the way\n",
+        rpm * first,
+        rpm * last,
+        rpm * least,
+        rpm * most
+    );
+    for (name, what) in [("load", "load"), ("drive", "drive that keeps the speed")] {
+        let Some(torque) = run.values(&format!("{name}.effort")) else { continue };
+        let (least, most) = range(torque);
+        let pairs = run.time.windows(2).zip(torque.windows(2));
+        let integral: f64 = pairs.map(|(t, torque)| 0.5 * (t[1] - t[0]) * (torque[0] + torque[1])).sum();
+        let length = run.time.last().unwrap_or(&0.0) - run.time.first().unwrap_or(&0.0);
+        if length > 0.0 {
+            let mean = four(integral / length);
+            let _ = writeln!(
+                out,
+                "torque of the {what}: {mean} N m on average, {} to {} N m",
+                four(least),
+                four(most)
+            );
+        }
+    }
+    let ways: Vec<String> = ["x", "y", "z"]
+        .iter()
+        .filter_map(|axis| {
+            let (least, most) = range(run.values(&format!("{axis}_block"))?);
+            Some(format!("{} mm in {axis}", four(1e3 * (most - least))))
+        })
+        .collect();
+    if !ways.is_empty() {
+        let _ = writeln!(out, "the block moves to and fro by {}", ways.join(", "));
+    }
+    out + "\n"
+}
+
+/// How a run went.
+fn simulation_head(run: &Simulation) -> String {
     let methods: Vec<&str> = run
         .methods
         .iter()
@@ -169,6 +266,7 @@ pub fn simulation_text(run: &Simulation) -> String {
         })
         .collect();
     let mut out = format!("{}: {}\n", run.graph, run.ended);
+    out += &engine_text(run);
     let _ = writeln!(out, "method: {}; tolerance {:e}", methods.join(", then "), run.tolerance);
     if let Some(from) = run.stiff_from {
         let _ = writeln!(
@@ -185,10 +283,15 @@ pub fn simulation_text(run: &Simulation) -> String {
     if let Some(periodic) = &run.periodic {
         out += &periodic_text(periodic);
     }
-    out += &events_text(run);
+    out + &events_text(run)
+}
+
+/// Start, extremes and end of the first quantities.
+fn quantities_text(run: &Simulation, count: usize) -> String {
+    let mut out = String::new();
     let _ =
         writeln!(out, "{:<32} {:>15} {:>15} {:>15} {:>15}", "quantity", "start", "least", "largest", "end");
-    for series in &run.series {
+    for series in &run.series[..count] {
         let least = series.values.iter().copied().fold(f64::INFINITY, f64::min);
         let largest = series.values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         let (first, last) = (series.values.first(), series.values.last());

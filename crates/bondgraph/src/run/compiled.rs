@@ -50,6 +50,8 @@ pub(crate) struct Compiled {
     settings: Tape,
     /// Whether events are passed over.
     pub(crate) without_events: bool,
+    /// Whether a run ends as soon as it is seen to need more evaluations than it may take.
+    pub(crate) looks_ahead: bool,
     /// Solves for all unknowns at once, where they are rates of followers.
     following: Option<Following>,
     /// Rates that it found with them.
@@ -161,6 +163,7 @@ impl Compiled {
                 leaping,
                 settings,
                 without_events: false,
+                looks_ahead: false,
                 following: Some(following),
                 found: vec![0.0; states],
                 unsolved_at: None,
@@ -212,6 +215,7 @@ impl Compiled {
             leaping,
             settings,
             without_events: false,
+            looks_ahead: false,
             following: None,
             found: Vec::new(),
             unsolved_at: None,

@@ -5,6 +5,7 @@ use crate::graph::{Kind, Period};
 use crate::run::audit::{Audit, Jump, Place, audit};
 use crate::run::compiled::Compiled;
 use crate::run::motion::PeriodicMotion;
+use crate::run::trouble::seconds;
 use lanchester_numerics::{Dop853, Outcome, Radau5, SampleGrid, Settings, Statistics, Step, System};
 use lanchester_results::{Series, values_of};
 use serde::Serialize;
@@ -20,6 +21,13 @@ const EVER_FASTER: u32 = 3;
 
 /// So many steps that come no further than a billionth of the duration, and do not double the time, come nowhere.
 const STANDSTILL: u32 = 5000;
+
+/// Runs that may take so many evaluations are long: they look ahead on the way.
+const LONG: u64 = 10_000_000;
+/// Evaluations of an explicit step.
+const PER_STEP: u64 = 12;
+/// Share of the evaluations that a run may take after which it looks ahead, and what a run that goes on may need, in the same unit.
+const LOOK_AHEAD: [u64; 2] = [20, 2];
 
 /// Tolerances below this are met at samples by steps that end there: the interpolant would be less accurate than the steps.
 const FINE: f64 = 1e-9;
@@ -110,6 +118,8 @@ pub struct Simulation {
     pub time: Vec<f64>,
     /// States, then effort, flow and power of every bond, then what each junction shares, then signals, at the samples.
     pub series: Vec<Series>,
+    /// Evaluations that the whole duration would need, as far as the run came: where it ended for their number.
+    pub evaluations_needed: Option<f64>,
     /// Switches of conditions.
     pub events: Vec<Event>,
     /// Energy through every bond.
@@ -150,6 +160,7 @@ pub(crate) struct Pass {
     /// Methods that ran.
     pub(crate) methods: Vec<Method>,
     stiff_from: Option<f64>,
+    evaluations_needed: Option<f64>,
     events: Vec<Event>,
     /// Of an audited run: events that set states.
     jumps: Vec<Jump>,
@@ -231,6 +242,7 @@ impl Equations {
         };
         let is_cancelled = || request.cancel.is_some_and(Cancel::is_set);
         let most = request.most_evaluations;
+        let is_too_long = |pass: &Pass| pass.evaluations_needed.is_some();
         let beginning = if request.audit { most } else { most.min(ROUGH) };
         let (mut first, mut found) = rough(&mut compiled, beginning);
         if !first.complete && beginning < most && found.largest.contains(&0.0) && !is_cancelled() {
@@ -245,9 +257,11 @@ impl Equations {
             );
             (first, coarse)
         } else {
+            compiled.looks_ahead = most >= LONG;
             let mut pass =
                 self.pass(&mut compiled, request, places, &found.absolute(request.tolerance), &start);
-            if !pass.complete && !first.complete && beginning < most && !is_cancelled() {
+            if !pass.complete && !first.complete && beginning < most && !is_cancelled() && !is_too_long(&pass)
+            {
                 let (_, found) = rough(&mut compiled, most);
                 pass = self.pass(&mut compiled, request, places, &found.absolute(request.tolerance), &start);
             }
@@ -265,6 +279,7 @@ impl Equations {
             ended: pass.ended,
             methods: pass.methods,
             stiff_from: pass.stiff_from,
+            evaluations_needed: pass.evaluations_needed,
             tolerance,
             time,
             series,
@@ -427,6 +442,7 @@ impl Equations {
             complete: false,
             methods: vec![first],
             stiff_from: None,
+            evaluations_needed: None,
             events: Vec::new(),
             jumps: Vec::new(),
             statistics: Statistics::default(),
@@ -435,6 +451,10 @@ impl Equations {
         // The last event that set states, when it came, how often at once.
         let mut setting = (usize::MAX, f64::NEG_INFINITY, 0);
         let mut stepped = (0.0, y.clone());
+        // Steps in all, and those between two looks ahead.
+        let (mut taken, between) = (0, request.most_evaluations / LOOK_AHEAD[0] / PER_STEP);
+        let looks_ahead = compiled.looks_ahead && between > 0;
+        let mut needed = None;
         // Steps since a time from which the run has not got away.
         let (mut stuck, mut stuck_from) = (0, 0.0);
         loop {
@@ -456,6 +476,14 @@ impl Equations {
                 stuck += 1;
                 if step.to - stuck_from > 1e-9 * request.duration || step.to > 2.0 * stuck_from {
                     (stuck, stuck_from) = (0, step.to);
+                }
+                taken += 1;
+                if looks_ahead && taken % between == 0 {
+                    let own = (PER_STEP * taken) as f64 * request.duration / step.to;
+                    if own > (LOOK_AHEAD[1] * request.most_evaluations) as f64 {
+                        needed = Some(own);
+                        return ControlFlow::Break(());
+                    }
                 }
                 if stuck > STANDSTILL || request.cancel.is_some_and(Cancel::is_set) {
                     return ControlFlow::Break(());
@@ -537,7 +565,7 @@ impl Equations {
                     at_once = if t - last_time <= 1e-9 * request.duration { at_once + 1 } else { 0 };
                     if at_once > CHATTER {
                         let root = self.root_at_zero(compiled, request.duration, t, &y);
-                        pass.ended = format!("a condition switches to and fro at {t} s")
+                        pass.ended = format!("a condition switches to and fro at {} s", seconds(t))
                             + &root.unwrap_or_else(|| {
                                 ": give it a small width, for example tanh(x/width) instead of sign(x)".into()
                             });
@@ -554,9 +582,18 @@ impl Equations {
                     break;
                 }
                 Outcome::Stopped if stuck > STANDSTILL => {
-                    pass.ended = format!("steps come no further than {t} s")
+                    pass.ended = format!("steps come no further than {} s", seconds(t))
                         + &self.root_at_zero(compiled, request.duration, t, &y).unwrap_or_default()
                         + &self.grown_moduli(compiled, t, &y);
+                    break;
+                }
+                Outcome::Stopped if needed.is_some() => {
+                    pass.evaluations_needed = needed;
+                    pass.ended = format!(
+                        "the whole duration needs some {:.0e} evaluations, more than {}: at {t} s",
+                        needed.unwrap_or(f64::NAN),
+                        request.most_evaluations
+                    );
                     break;
                 }
                 Outcome::Stopped => {
@@ -564,6 +601,10 @@ impl Equations {
                     break;
                 }
                 other => {
+                    if matches!(other, Outcome::TooManyEvaluations { .. }) && looks_ahead && t > 0.0 {
+                        pass.evaluations_needed =
+                            Some(request.most_evaluations as f64 * request.duration / t);
+                    }
                     let words = self.in_words(compiled, other, t, &y);
                     let root = self.root_at_zero(compiled, request.duration, t, &y);
                     pass.ended = words

@@ -171,13 +171,14 @@ impl Equations {
     }
 
     pub(crate) fn in_words(&self, compiled: &mut Compiled, outcome: Outcome, t: f64, y: &[f64]) -> String {
+        let at = seconds(t);
         let state = |index: usize| match self.states.get(index) {
             Some(state) => format!("{} (last {:.6e} {})", state.symbol, y[index], state.unit_name),
             None => "an energy".to_owned(),
         };
         match outcome {
             Outcome::TooManyEvaluations { limit } => {
-                format!("{limit} evaluations were not enough: at {t} s")
+                format!("{limit} evaluations were not enough: at {at} s")
             }
             Outcome::NotFinite { component } => {
                 if let Some(time) = compiled.unsolved_at()
@@ -185,13 +186,18 @@ impl Equations {
                 {
                     return words;
                 }
-                format!("the rate of {} is no finite number behind {t} s", state(component))
+                format!("the rate of {} is no finite number behind {at} s", state(component))
             }
             Outcome::StepTooSmall { .. } => {
-                format!("no step is short enough at {t} s: a quantity jumps or grows without bound")
+                format!("no step is short enough at {at} s: a quantity jumps or grows without bound")
             }
-            Outcome::Singular => format!("Newton's matrix is singular at {t} s"),
-            other => format!("{other:?} at {t} s"),
+            Outcome::Singular => format!("Newton's matrix is singular at {at} s"),
+            other => format!("{other:?} at {at} s"),
         }
     }
+}
+
+/// A time; where it is tiny as a power of ten.
+pub(crate) fn seconds(t: f64) -> String {
+    if t != 0.0 && t < 1e-6 { format!("{t:e}") } else { format!("{t}") }
 }

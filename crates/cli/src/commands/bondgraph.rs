@@ -13,9 +13,9 @@ use crate::simulation_watch::Interruptible;
 use crate::trace_files::{read_torques, trace_files};
 use lanchester::bondgraph::{
     Cancel, CompliantJoints, Description, EngineBlock, EngineJoints, Equations, Graph, LoadLaw, Method,
-    Notation, Preference, SimulationRequest, audit_text, causality, causality_text, drawing, equations,
-    equations_latex, equations_text, graph_file, graphml, is_graph_file, linear_text, modelica,
-    moving_drawing, simulation_csv, simulation_text, used_graphs,
+    Notation, Preference, Simulation, SimulationRequest, audit_text, causality, causality_text, drawing,
+    equations, equations_latex, equations_text, graph_file, graph_text, graphml, is_graph_file, linear_text,
+    modelica, moving_drawing, simulation_csv, simulation_text, simulation_text_in_short, used_graphs,
 };
 use lanchester::file::{Diagnostic, read, render};
 use lanchester::report::bond_graph_figures;
@@ -26,6 +26,9 @@ use std::path::Path;
 
 /// How long a moving drawing takes [s].
 const MOVING_SECONDS: f64 = 10.0;
+
+/// Causality and equations of more lines are left to their own actions.
+const MOST_LINES: usize = 150;
 
 /// What the command shows.
 const ACTIONS: [&str; 7] = ["causality", "equations", "linear", "simulate", "audit", "draw", "export"];
@@ -64,6 +67,12 @@ pub fn run(arguments: &BondgraphArguments, colour: bool) -> Result<u8, Failure> 
         return Err(Failure::input(
             "--output chooses the outputs of transfer functions",
             "use it with `bondgraph linear`",
+        ));
+    }
+    if arguments.prefer == PreferOption::Derivative && action != "causality" {
+        return Err(Failure::input(
+            "--prefer derivative shows a causality: equations need stores as states",
+            "use it with `bondgraph causality`",
         ));
     }
     let source = read_source(Path::new(file))?;
@@ -255,10 +264,16 @@ fn show(
                 (Format::Json, _) => json(&run)?,
                 (Format::Csv, _) => simulation_csv(&run),
                 (Format::Text, "audit") => audit_text(&run),
-                (Format::Text, _) => simulation_text(&run),
+                (Format::Text, _) if arguments.all => simulation_text(&run),
+                (Format::Text, _) => in_short(&run),
             })?;
             if !run.complete {
                 tell(format_args!("the run ended early: {}", run.ended));
+                if run.evaluations_needed.is_some() {
+                    tell(format_args!(
+                        "hint: --long lets it run on, a larger --tolerance or a shorter --for need less"
+                    ));
+                }
                 return Ok(NOT_AS_EXPECTED);
             }
         }
@@ -269,13 +284,46 @@ fn show(
                 (false, Notation::Latex) => equations_latex(&shown),
                 (false, Notation::Text) => equations_text(&shown),
             };
-            if action.is_empty() && !as_json && notation == Notation::Text {
-                print(&format!("{}\n", causality_text(graph, &found.causality)))?;
+            if !action.is_empty() || as_json || notation != Notation::Text {
+                print(&text)?;
+            } else {
+                let causality = causality_text(graph, &found.causality);
+                let is_long = causality.lines().count() + text.lines().count() > MOST_LINES;
+                let all = format!("{causality}\n{text}");
+                let file = arguments.words.last().map_or("FILE", String::as_str);
+                print(&format!(
+                    "{}\n{}",
+                    if is_long { graph_text(graph, &found.causality) } else { all },
+                    next(file, is_long)
+                ))?;
             }
-            print(&text)?;
         }
     }
     Ok(DONE)
+}
+
+/// What else there is to see of a graph.
+fn next(file: &str, is_long: bool) -> String {
+    let file = if file.contains(' ') { format!("'{file}'") } else { file.to_owned() };
+    let mut out = String::new();
+    if is_long {
+        out += &format!("causality step by step:  lanchester bondgraph causality {file}\n");
+        out += &format!("equations:               lanchester bondgraph equations {file}\n");
+    }
+    out += &format!("a run with its curves:   lanchester bondgraph simulate {file} --figures figures\n");
+    out += &format!("the drawing:             lanchester bondgraph draw {file} > graph.svg\n");
+    out
+}
+
+/// A run with its states alone where it has many quantities, and how all are seen.
+fn in_short(run: &Simulation) -> String {
+    let (mut text, left_out) = simulation_text_in_short(run);
+    if left_out > 0 {
+        text += &format!(
+            "and {left_out} more quantities: --all lists them, --figures draws curves, --format csv writes every sample\n"
+        );
+    }
+    text
 }
 
 fn request(
@@ -310,6 +358,9 @@ fn request(
             return Err(Failure::input(message, "for example --tolerance 1e-9"));
         }
         request.tolerance = tolerance;
+    }
+    if arguments.long {
+        request.most_evaluations = u64::MAX;
     }
     request.method = arguments.method.map(|method| match method {
         MethodOption::Explicit => Method::Explicit,

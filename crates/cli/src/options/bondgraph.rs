@@ -9,13 +9,13 @@ use std::path::PathBuf;
 #[derive(Debug, Args)]
 pub struct BondgraphArguments {
     /// What to show, and the graph file or engine file (`-`: standard input): causality, equations, linear, simulate, audit, draw or
-    /// export; without it causality and equations.
+    /// export; without it causality and equations, of large graphs a summary.
     #[arg(value_names = ["ACTION", "FILE"], required = true, num_args = 1..=2)]
     pub words: Vec<String>,
     /// How equations are written.
     #[arg(long, value_enum, default_value_t = NotationOption::Text)]
     pub notation: NotationOption,
-    /// Which stores causality assigns first: `derivative` shows the dual, for study.
+    /// `causality`: which stores it assigns first; `derivative` shows the dual, for study.
     #[arg(long, value_enum, default_value_t = PreferOption::Integral)]
     pub prefer: PreferOption,
     /// Duration of the simulation, with its unit; default: that of the graph file, else 1 s; of an engine file two revolutions.
@@ -41,6 +41,12 @@ pub struct BondgraphArguments {
     /// Which text `export` writes.
     #[arg(long, value_enum, default_value_t = ExportOption::Modelica)]
     pub to: ExportOption,
+    /// `simulate`: every quantity in the text; default: of many, the states.
+    #[arg(long)]
+    pub all: bool,
+    /// Let a simulation take more than ten million evaluations.
+    #[arg(long)]
+    pub long: bool,
     /// `draw`: bonds as wide as the power through them, over the simulation, in ten seconds.
     #[arg(long)]
     pub moving: bool,

@@ -140,3 +140,78 @@ fn what_is_wrong_is_said() {
     std::fs::write(folder.join("part.toml"), part).unwrap();
     assert!(output(&folder, 0, &["bondgraph", "uses.toml"]).contains("States: a_wheel"));
 }
+
+/// Transfer functions to outputs of one's choice; what cannot be is refused by its name.
+#[test]
+fn outputs_and_preferences_are_checked() {
+    let folder = folder("bond-graph-options");
+    let motor = graph("dc-motor");
+    let text = output(&folder, 0, &["bondgraph", "linear", &motor, "--output", "coil.effort,shaft.flow"]);
+    assert!(text.contains("coil.effort / battery.effort = (") && text.contains("shaft.flow / "), "{text}");
+    assert!(!text.contains("flywheel.flow"), "{text}");
+    for (arguments, words) in [
+        (&["linear", &motor, "--output", "coil.speed"][..], "no quantity `coil.speed`"),
+        (&["simulate", &motor, "--output", "coil.flow"], "use it with `bondgraph linear`"),
+        (&["equations", &motor, "--prefer", "derivative"], "use it with `bondgraph causality`"),
+    ] {
+        let said = message(&folder, 2, &[&["bondgraph"], arguments].concat());
+        assert!(said.contains(words), "{said}");
+    }
+    let dual = output(&folder, 0, &["bondgraph", "causality", &motor, "--prefer", "derivative"]);
+    assert!(dual.contains("coil follows by choice") && !dual.contains("coil follows coil"), "{dual}");
+}
+
+/// An engine's graph and its run begin with what they say in short; all of it is one option away, and said.
+#[test]
+fn an_engine_is_shown_in_short() {
+    let folder = folder("bond-graph-short");
+    let engine = example("three-cylinder");
+    let text = output(&folder, 0, &["bondgraph", &engine]);
+    assert!(text.lines().count() < 20, "{text}");
+    assert!(text.contains("182 elements and 353 bonds") && text.contains("bondgraph simulate "), "{text}");
+    let run = output(&folder, 0, &["bondgraph", "simulate", &engine]);
+    assert!(
+        run.lines().nth(1).is_some_and(|line| line.starts_with("speed of crankshaft 1: 2000.0 rpm")),
+        "{run}"
+    );
+    assert!(run.contains("torque of the load: 89.8 N m") && run.contains("block moves to and fro"), "{run}");
+    assert!(run.lines().count() < 80 && run.contains("--all lists them"), "{run}");
+    let all = output(&folder, 0, &["bondgraph", "simulate", &engine, "--all"]);
+    assert!(all.contains("load.power [W]") && !run.contains("load.power"), "{all}");
+    // A small graph is shown whole, with the same hint.
+    let small = output(&folder, 0, &["bondgraph", &graph("two-tanks")]);
+    assert!(small.contains("State equations") && small.contains("bondgraph simulate "), "{small}");
+}
+
+/// What would take too many evaluations is seen on the way, with an estimate and the option that lets it run.
+#[test]
+fn a_run_that_is_too_long_is_estimated() {
+    let folder = folder("bond-graph-long");
+    let text = "name = \"fast\"\n[elements]\nv = { kind = \"1\", domain = \"translation\" }\n\
+                m = { kind = \"I\", inertia = \"1 kg\", flow = \"1 m/s\" }\nk = { kind = \"C\", stiffness = \"1e8 N/m\" }\n\
+                [bonds]\nlist = [\"v > m\", \"v > k\"]\n";
+    std::fs::write(folder.join("fast.toml"), text).unwrap();
+    // Some 100 evaluations a period at 1592 Hz.
+    let run = ["bondgraph", "simulate", "fast.toml", "--for", "2000 s", "--format", "json"];
+    let said = lanchester(&folder, &run);
+    let json: serde_json::Value = serde_json::from_slice(&said.stdout).unwrap();
+    let needed = number(&json, "/evaluations_needed");
+    assert!(needed > 2e7 && needed < 1e10, "{needed}");
+    assert!(number(&json, "/statistics/evaluations") < 2e6, "it ends long before its limit");
+    assert!(String::from_utf8(said.stderr).unwrap().contains("--long lets it run on"));
+    // What it needs is true: a hundredth of the time takes a hundredth of it.
+    let part = ["bondgraph", "simulate", "fast.toml", "--for", "20 s", "--long", "--format", "json"];
+    let part = number(&output_json(&folder, 0, &part), "/statistics/evaluations");
+    assert!((100.0 * part / needed - 1.0).abs() < 0.3, "{part} {needed}");
+}
+
+/// One curve has no legend: its name is the title.
+#[test]
+fn a_plot_of_one_curve_has_its_name() {
+    let folder = folder("bond-graph-one-curve");
+    let motor = graph("dc-motor");
+    output(&folder, 0, &["bondgraph", "simulate", &motor, "--figures", "figures"]);
+    let file = std::fs::read_dir(folder.join("figures")).unwrap().next().unwrap().unwrap().path();
+    let svg = std::fs::read_to_string(file).unwrap();
+    assert!(svg.contains("coil.momentum") && !svg.contains(">states"), "{svg}");
+}

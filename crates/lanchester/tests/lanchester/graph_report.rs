@@ -15,7 +15,7 @@ fn the_chapter_shows_drawing_causality_equations_energy_and_curves() {
     assert!(audit.whole < 1e-6, "{:e}", audit.whole);
     let section = bond_graph_section(&found);
     let figures: Vec<&str> = section.figures().map(|figure| figure.id.as_str()).collect();
-    assert_eq!(figures, ["bond-graph", "bond-graph-curves", "bond-graph-energy"]);
+    assert_eq!(figures, ["bond-graph-drawing", "bond-graph-curves", "bond-graph-energy"]);
     // Tiles that are alike are drawn once: one of three cylinders, one mount.
     let drawing = section.figures().next().expect("the drawing");
     let titles: Vec<&str> =

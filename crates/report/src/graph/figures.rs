@@ -49,7 +49,14 @@ fn of_any_graph(run: &Simulation) -> Vec<Figure> {
         let curves = states.enumerate().map(|(style, state)| {
             curve(&state.name.replace('_', " "), style, over_time(run, &state.values, 1.0, &all))
         });
-        panel(["time", "states"], ["s", unit], None, curves.collect())
+        let curves: Vec<XyCurve> = curves.collect();
+        // One curve has no legend: the title names it.
+        let of_this: Vec<_> = run.series[..bonds].iter().filter(|state| state.unit == **unit).collect();
+        let title = match of_this.as_slice() {
+            [one] => one.name.replace('_', " "),
+            _ => "states".to_owned(),
+        };
+        panel(["time", &title], ["s", unit], None, curves)
     };
     let mut panels: Vec<Panel> = units.iter().map(of_unit).collect();
     let most = |values: &[f64]| values.iter().fold(0.0f64, |most, value| most.max(value.abs()));
@@ -70,7 +77,11 @@ fn of_any_graph(run: &Simulation) -> Vec<Figure> {
         })
         .collect();
     if !curves.is_empty() {
-        panels.push(panel(["time", "largest powers"], ["s", "W"], None, curves));
+        let title = match powers.as_slice() {
+            [(name, ..)] => format!("power of {}", name.replace('_', " ")),
+            _ => "largest powers".to_owned(),
+        };
+        panels.push(panel(["time", &title], ["s", "W"], None, curves));
     }
     if panels.is_empty() {
         return Vec::new();

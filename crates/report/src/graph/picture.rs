@@ -47,7 +47,7 @@ pub(crate) fn picture(placed: &Placed) -> Option<Figure> {
         return None;
     }
     Some(Figure {
-        id: "bond-graph".into(),
+        id: "bond-graph-drawing".into(),
         title: "The engine as a bond graph".into(),
         caption: "Half arrows: positive power. Bars across a bond: the causal stroke, where the effort arrives. Dashed: stores that \
                   follow others. A short bond leads to the element of another tile that is named at its end."
