@@ -66,6 +66,11 @@ impl<N: Fn(Var) -> String> Printed<'_, N> {
         let (minus, factor) = match self.pool.node(id) {
             Node::Negative(inner) => ("-", self.factor(inner)),
             Node::Constant(bits) if f64::from_bits(bits) < 0.0 => ("-", self.number(-f64::from_bits(bits))),
+            Node::Product(a, b) if self.is_negative(a) => {
+                let mut out = String::new();
+                self.product(a, b, &mut out);
+                ("-", out)
+            }
             _ => ("", self.factor(id)),
         };
         let sign = if self.style == Style::Latex { " \\, " } else { "*" };
@@ -93,6 +98,7 @@ impl<N: Fn(Var) -> String> Printed<'_, N> {
                 Binding::Product
             }
             Node::Negative(_) | Node::Sum(..) => Binding::Sum,
+            Node::Product(a, _) if self.is_negative(a) => Binding::Sum,
             Node::Quotient(..) if self.style == Style::Latex => Binding::Atom,
             Node::Product(..) | Node::Quotient(..) => Binding::Product,
             Node::Power(..) => Binding::Power,
@@ -114,23 +120,37 @@ impl<N: Fn(Var) -> String> Printed<'_, N> {
         match self.pool.node(id) {
             Node::Constant(bits) => *out += &self.number(f64::from_bits(bits)),
             Node::Var(var) => *out += &(self.name)(var),
-            Node::Negative(a) => {
-                out.push('-');
-                self.write(a, Binding::Product, out);
-            }
+            Node::Negative(a) => match self.pool.node(a) {
+                // Both signs go.
+                Node::Product(c, d) if self.is_negative(a) => self.product(c, d, out),
+                _ => {
+                    out.push('-');
+                    self.write(a, Binding::Product, out);
+                }
+            },
             Node::Sum(a, b) => {
                 self.write(a, Binding::Sum, out);
                 if self.is_full(out) {
                     return;
                 }
                 match self.pool.node(b) {
-                    Node::Negative(b) => {
-                        *out += " - ";
-                        self.write(b, Binding::Product, out);
-                    }
+                    Node::Negative(b) => match self.pool.node(b) {
+                        Node::Product(c, d) if self.is_negative(c) => {
+                            *out += " + ";
+                            self.product(c, d, out);
+                        }
+                        _ => {
+                            *out += " - ";
+                            self.write(b, Binding::Product, out);
+                        }
+                    },
                     Node::Constant(bits) if f64::from_bits(bits) < 0.0 => {
                         *out += " - ";
                         *out += &self.number(-f64::from_bits(bits));
+                    }
+                    Node::Product(c, d) if self.is_negative(c) => {
+                        *out += " - ";
+                        self.product(c, d, out);
                     }
                     Node::Sum(..) => {
                         *out += " + ";
@@ -143,18 +163,8 @@ impl<N: Fn(Var) -> String> Printed<'_, N> {
                 }
             }
             Node::Product(a, b) => {
-                self.write(a, Binding::Product, out);
-                if self.is_full(out) {
-                    return;
-                }
-                let at = out.len();
-                *out += if latex { " \\, " } else { "*" };
-                let factor = out.len();
-                self.write(b, Binding::Product, out);
-                // Two numbers side by side would read as one.
-                if latex && out[factor..].starts_with(|sign: char| sign.is_ascii_digit()) {
-                    out.replace_range(at..factor, " \\cdot ");
-                }
+                *out += if self.is_negative(a) { "-" } else { "" };
+                self.product(a, b, out);
             }
             Node::Quotient(a, b) if latex => {
                 *out += "\\frac{";
@@ -221,6 +231,36 @@ impl<N: Fn(Var) -> String> Printed<'_, N> {
                 }
                 Style::Latex => self.call("\\operatorname{if}", &[g, a, b], out),
             },
+        }
+    }
+
+    /// Whether a negative number leads an expression.
+    fn is_negative(&self, id: Id) -> bool {
+        match self.pool.node(id) {
+            Node::Constant(bits) => f64::from_bits(bits) < 0.0,
+            Node::Product(a, _) => self.is_negative(a),
+            _ => false,
+        }
+    }
+
+    /// A product; of a negative number that leads it without its sign.
+    fn product(&self, a: Id, b: Id, out: &mut String) {
+        let latex = self.style == Style::Latex;
+        match self.pool.node(a) {
+            Node::Constant(bits) if f64::from_bits(bits) < 0.0 => *out += &self.number(-f64::from_bits(bits)),
+            Node::Product(c, d) if self.is_negative(a) => self.product(c, d, out),
+            _ => self.write(a, Binding::Product, out),
+        }
+        if self.is_full(out) {
+            return;
+        }
+        let at = out.len();
+        *out += if latex { " \\, " } else { "*" };
+        let factor = out.len();
+        self.write(b, Binding::Product, out);
+        // Two numbers side by side would read as one.
+        if latex && out[factor..].starts_with(|sign: char| sign.is_ascii_digit()) {
+            out.replace_range(at..factor, " \\cdot ");
         }
     }
 

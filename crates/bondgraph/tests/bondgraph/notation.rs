@@ -174,7 +174,8 @@ b = { kind = "1", domain = "translation" }
 c = { kind = "1", domain = "translation" }
 mass_a = { kind = "I", inertia = "m_c", flow = "1 m/s" }
 mass_b = { kind = "I", inertia = "m_c" }
-arm = { kind = "MTF", matrix = "1; -mu_3*cos(phi_1)" }
+push = { kind = "Se", effort = "-2.5*m_c*9.81 m/s2" }
+arm = { kind = "MTF", matrix = "1; -0.1*sin(phi_1)" }
 damper = { kind = "R", resistance = "A1" }
 lever = { kind = "TF", ratio = "-1" }
 d = { kind = "1", domain = "translation" }
@@ -183,7 +184,7 @@ dash = { kind = "R", resistance = "A1" }
 [signals]
 phi_1 = { integral_of = "a.flow/(1 m)", start = "0.1 rad" }
 [bonds]
-list = ["a > mass_a", "b > mass_b", "a > arm.1", "b > arm.2", "arm.3 > c", "c > damper", "b > lever.1", "lever.2 > d", "d > spring", "d > dash"]
+list = ["push > a", "a > mass_a", "b > mass_b", "a > arm.1", "b > arm.2", "arm.3 > c", "c > damper", "b > lever.1", "lever.2 > d", "d > spring", "d > dash"]
 "#;
     let found = equations(&Graph::read(text).expect("good")).expect("no conflict");
     let (plain, latex) = (found.shown(Notation::Text), found.shown(Notation::Latex));
@@ -192,7 +193,8 @@ list = ["a > mass_a", "b > mass_b", "a > arm.1", "b > arm.2", "arm.3 > c", "c > 
             list.iter().find(|own| own.left == left).unwrap_or_else(|| panic!("no {left} in {list:#?}"));
         format!("{} [{}]", own.right, own.unit)
     };
-    assert_eq!(line(&plain.elements, "arm.3.flow"), "arm.1.flow - mu_3*cos(phi_1)*arm.2.flow [m/s]");
+    assert_eq!(line(&plain.elements, "arm.3.flow"), "arm.1.flow - 0.1*sin(phi_1)*arm.2.flow [m/s]");
+    assert_eq!(line(&plain.elements, "push.effort"), "-24.525*m_c [N]");
     assert_eq!(line(&plain.elements, "lever.2.flow"), "-lever.1.flow [m/s]");
     assert_eq!(line(&plain.parameters, "km"), "0.08 [N m/A]");
     assert_eq!(line(&plain.parameters, "rho_g"), "9810 [N/m^3]");
