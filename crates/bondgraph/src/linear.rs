@@ -3,6 +3,7 @@
 use crate::equations::{Equations, What, equations};
 use crate::expression::{Id, Var};
 use crate::graph::{Graph, Kind, Law, Parameter};
+use crate::linear::result::ROUNDINGS;
 use crate::linear::transfer::transfers;
 use crate::unit::Unit;
 use nalgebra::linalg::balancing::balance_parlett_reinsch;
@@ -12,63 +13,10 @@ use std::collections::HashMap;
 use std::f64::consts::TAU;
 
 mod exact;
+mod result;
 mod transfer;
 
-/// Operations that an entry of A, B, C or D comes from; each rounds.
-pub(crate) const ROUNDINGS: f64 = 8.0;
-
-/// A linear graph.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Linear {
-    /// Version of this structure.
-    pub version: u32,
-    /// States.
-    pub states: Vec<String>,
-    /// Inputs: the sources.
-    pub inputs: Vec<String>,
-    /// Outputs: what was asked for; else flow of every inertia, effort of every capacitor, and every signal.
-    pub outputs: Vec<String>,
-    /// A, row by row.
-    pub a: Vec<Vec<f64>>,
-    /// B.
-    pub b: Vec<Vec<f64>>,
-    /// C.
-    pub c: Vec<Vec<f64>>,
-    /// D.
-    pub d: Vec<Vec<f64>>,
-    /// Poles, the slowest first.
-    pub poles: Vec<Pole>,
-    /// From each input to each output.
-    pub transfer: Vec<Transfer>,
-}
-
-/// A pole.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct Pole {
-    /// Real part [1/s].
-    pub real: f64,
-    /// Imaginary part [rad/s].
-    pub imaginary: f64,
-    /// Absolute value [rad/s].
-    pub frequency: f64,
-    /// Damping ratio.
-    pub damping: f64,
-    /// Its natural frequency [Hz].
-    pub hertz: f64,
-}
-
-/// A transfer function; coefficients of rising powers of s.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Transfer {
-    /// Input.
-    pub input: String,
-    /// Output.
-    pub output: String,
-    /// Numerator.
-    pub numerator: Vec<f64>,
-    /// Denominator, the highest coefficient 1.
-    pub denominator: Vec<f64>,
-}
+pub use result::{Linear, Pole, Transfer};
 
 /// Why a graph has no linear form.
 #[derive(Debug, Clone, PartialEq, Serialize)]

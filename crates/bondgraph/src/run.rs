@@ -8,6 +8,7 @@ mod held;
 pub(crate) mod motion;
 mod periodic;
 mod returning;
+mod seconds;
 pub(crate) mod simulate;
 mod tape;
 mod trouble;

@@ -1,7 +1,7 @@
 //! Transfer functions `C adj(s - A) B / det(s - A) + D`.
 
 use crate::linear::exact::Double;
-use crate::linear::{Linear, ROUNDINGS, Transfer};
+use crate::linear::result::{Linear, ROUNDINGS, Transfer};
 
 /// More states than these have no transfer functions: nobody reads so many powers.
 const MOST_STATES: usize = 12;

@@ -5,7 +5,7 @@ use crate::graph::{Kind, Period};
 use crate::run::audit::{Audit, Jump, Place, audit};
 use crate::run::compiled::Compiled;
 use crate::run::motion::PeriodicMotion;
-use crate::run::trouble::seconds;
+use crate::run::seconds::seconds;
 use lanchester_numerics::{Dop853, Outcome, Radau5, SampleGrid, Settings, Statistics, Step, System};
 use lanchester_results::{Series, values_of};
 use serde::Serialize;

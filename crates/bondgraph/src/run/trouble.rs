@@ -5,6 +5,7 @@ use crate::equations::Equations;
 use crate::expression::{Id, Var};
 use crate::graph::{Element, Law};
 use crate::run::compiled::Compiled;
+use crate::run::seconds::seconds;
 use crate::run::simulate::Pass;
 use lanchester_numerics::{Outcome, System};
 
@@ -195,9 +196,4 @@ impl Equations {
             other => format!("{other:?} at {at} s"),
         }
     }
-}
-
-/// A time; where it is tiny as a power of ten.
-pub(crate) fn seconds(t: f64) -> String {
-    if t != 0.0 && t < 1e-6 { format!("{t:e}") } else { format!("{t}") }
 }

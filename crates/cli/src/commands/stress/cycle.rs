@@ -1,7 +1,7 @@
 //! `lanchester stress cycle`: the flexible crankshaft in its bearings.
 
+use super::safety::{is_safe, wanted_safety};
 use super::said::say;
-use super::{is_safe, wanted_safety};
 use crate::commands::{json, open};
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
 use crate::figures::write_figures;

@@ -1,8 +1,10 @@
 //! `lanchester stress`: static stress, natural modes and exports of a crankshaft.
 
 mod cycle;
+mod safety;
 mod said;
 
+use self::safety::{is_safe, wanted_safety};
 pub(crate) use self::said::say;
 use crate::commands::{Opened, json, open};
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
@@ -83,30 +85,6 @@ fn statics(arguments: &StaticArguments, colour: bool) -> Result<u8, Failure> {
         Format::Csv => arguments.printed.csv(static_stress_csv(&found)),
     })?;
     Ok(if is_safe(found.least_safety(), safety) { DONE } else { NOT_AS_EXPECTED })
-}
-
-/// Whether a static safety is as wanted; says so where it is not.
-fn is_safe(found: Option<f64>, wanted: Option<f64>) -> bool {
-    let Some(wanted) = wanted else { return true };
-    match found {
-        Some(safety) if safety >= wanted => return true,
-        Some(safety) => tell(format_args!("the static safety is {safety:.3}, wanted is {wanted}")),
-        None => tell(
-            "the static safety is not known: give yield_strength or a preset in [crank.material], and fillets",
-        ),
-    }
-    false
-}
-
-/// A safety that is wanted.
-fn wanted_safety(safety: Option<f64>) -> Result<Option<f64>, Failure> {
-    match safety {
-        Some(safety) if !(safety > 0.0 && safety.is_finite()) => Err(Failure::input(
-            format_args!("--safety needs a number above 0, got {safety}"),
-            "for example --safety 1.5",
-        )),
-        other => Ok(other),
-    }
 }
 
 fn found_modes(

@@ -4774,6 +4774,8 @@ export type TorsionAnswer = {
   tuned: TunedDamper | null;
   /** Twist between nose and flywheel [rad]. */
   twist: Curve;
+  /** Place among them of the lowest in which the crankshaft twists; `null` where it twists in none of them. */
+  twisting: number | null;
 };
 
 /** A damper at the free end: a ring on a hub. */
