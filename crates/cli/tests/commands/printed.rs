@@ -24,7 +24,7 @@ const COMMANDS: [&[&str]; 10] = [
     &["compare", "four.toml", "twin.toml"],
     &["simulate", "four.toml"],
     &["torsion", "four.toml"],
-    &["stress", "rule", "four.toml"],
+    &["stress", "rule", "four.toml", "--without-torsion"],
     &["balance", "four.toml", "--method", "matrix"],
 ];
 

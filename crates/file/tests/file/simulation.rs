@@ -230,7 +230,6 @@ fn mistakes_of_a_run_are_told() {
             "[starter]\nstall_torque = \"1 N m\"\nfree_speed = \"1000 rpm\"\nratio = 10\nuntil = \"200 rpm\"\n",
             "E1803",
         ),
-        ("[governor]\nspeed = \"900 rpm\"\ngain = \"0.1 1/rpm\"\ndelay = \"20 ms\"\n", "E0204"),
         ("[[driveline]]\ninertia = \"1 kg m2\"\nstiffness = \"1 N m/rad\"\nratio = 0\n", "E0110"),
         ("[[driveline]]\ninertia = \"1 kg m2\"\nstiffness = \"1 N/m\"\n", "E0103"),
     ] {

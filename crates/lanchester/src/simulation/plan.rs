@@ -222,7 +222,7 @@ fn sample_step(asked: f64, simulation: &Simulation, highest: f64, notes: &mut Ve
     let parts = (asked / FINE * (1.0 - 1e-9)).ceil();
     if turned / asked * parts > MOST_FINE {
         notes.push(format!(
-            "Largest values are those of samples {:.4} deg apart, and orders need closer ones: a shorter run takes them from samples a degree apart whatever its step.",
+            "Orders need closer samples than {:.4} deg: a shorter run takes them from samples a degree apart whatever its step.",
             asked.to_degrees()
         ));
         return (asked, 1);
