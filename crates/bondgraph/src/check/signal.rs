@@ -102,7 +102,7 @@ impl Checker<'_> {
             _ => None,
         };
         self.depth += 1;
-        let before = std::mem::replace(&mut self.own_integrand, Some((index, self.depth)));
+        let before = self.own_integrand.replace((index, self.depth));
         let mut integrand = parse(text, self);
         self.own_integrand = before;
         if let (Progress::Reading, Some(Parsed { unit: Some(unit), .. })) =

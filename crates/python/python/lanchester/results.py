@@ -39,6 +39,7 @@ __all__ = [
     "BodyClearances",
     "BondGraph",
     "BoreSheet",
+    "Bounds",
     "Brake",
     "Broken",
     "Campbell",
@@ -95,6 +96,7 @@ __all__ = [
     "CycleResult",
     "CycleTrace",
     "CylinderBearings",
+    "CylinderExtremes",
     "CylinderLoads",
     "CylinderMotion",
     "CylinderReactions",
@@ -225,11 +227,13 @@ __all__ = [
     "Overlap",
     "PartLoads",
     "Peak",
+    "Peak2",
     "PeakStress",
     "Peaks",
     "PendulumSweep",
     "Percentile",
     "PeriodHeat",
+    "PeriodSummary",
     "PeriodicResult",
     "PinForces",
     "PinLoad",
@@ -254,16 +258,19 @@ __all__ = [
     "RobustStage",
     "RotatingBody",
     "RotorEffects",
+    "RotorExtremes",
     "RotorReactions",
     "RuleFactors",
     "Run",
     "Run2",
+    "RunExtremes",
     "RunOutcome",
     "Samples",
     "Scatter",
     "ScatterStudy",
     "SectionRatios",
     "Sensitivity",
+    "SeriesStatistics",
     "Shaft",
     "ShaftDesign",
     "ShaftLayout",
@@ -273,6 +280,7 @@ __all__ = [
     "ShapeTask",
     "SharedWithWeb",
     "Similar",
+    "SimulatedOrder",
     "SimulationResult",
     "Slope",
     "Smallest",
@@ -285,6 +293,7 @@ __all__ = [
     "SpeedSheet",
     "Stage",
     "StageGiveUp",
+    "Stall",
     "StaticStress",
     "Station",
     "Station2",
@@ -1599,6 +1608,23 @@ class BoreSheet(Record):
         return self._of("stress", FilletSheet)  # type: ignore[no-any-return]
 
 
+class Bounds(Record):
+    """Largest and smallest value of a run."""
+
+    __slots__ = ()
+    _FIELDS = ("least", "most",)
+
+    @property
+    def least(self) -> Peak2:
+        """Smallest."""
+        return self._of("least", Peak2)  # type: ignore[no-any-return]
+
+    @property
+    def most(self) -> Peak2:
+        """Largest."""
+        return self._of("most", Peak2)  # type: ignore[no-any-return]
+
+
 class Brake(Record):
     """What friction leaves."""
 
@@ -2809,12 +2835,12 @@ class CrankCase(Record):
 
     @property
     def surfaces(self) -> Records[SurfacePeak]:
-        """Peaks of the surfaces of pins and journals, loaded ones too."""
+        """Peaks of the surfaces of pins and journals, loaded ones too; away from sharp corners."""
         return self._all("surfaces", SurfacePeak)
 
     @property
     def webs(self) -> Records[SurfacePeak]:
-        """Peaks of webs: within each the largest stress away from fillets."""
+        """Peaks of webs: within each the largest stress away from fillets and sharp corners."""
         return self._all("webs", SurfacePeak)
 
 
@@ -3683,6 +3709,38 @@ class CylinderBearings(Record):
         return self._array("tangential")  # type: ignore[no-any-return]
 
 
+class CylinderExtremes(Record):
+    """Of what is carried at one cylinder."""
+
+    __slots__ = ()
+    _FIELDS = ("across_throw", "along_throw", "lower_pin", "piston_pin", "side_thrust",)
+
+    @property
+    def across_throw(self) -> Bounds:
+        """The same across the throw, positive where it drives [N]."""
+        return self._of("across_throw", Bounds)  # type: ignore[no-any-return]
+
+    @property
+    def along_throw(self) -> Bounds:
+        """Force of the rod on the crankpin along its throw, outwards positive [N]; 0 for a knuckle pin."""
+        return self._of("along_throw", Bounds)  # type: ignore[no-any-return]
+
+    @property
+    def lower_pin(self) -> Peak2:
+        """Force in the lower pin [N]."""
+        return self._of("lower_pin", Peak2)  # type: ignore[no-any-return]
+
+    @property
+    def piston_pin(self) -> Peak2:
+        """Force in the piston pin [N]."""
+        return self._of("piston_pin", Peak2)  # type: ignore[no-any-return]
+
+    @property
+    def side_thrust(self) -> Peak2:
+        """Amount of the side thrust [N]."""
+        return self._of("side_thrust", Peak2)  # type: ignore[no-any-return]
+
+
 class CylinderLoads(Record):
     """Loads of one cylinder."""
 
@@ -4332,7 +4390,12 @@ class Durable(Record):
     """Films and safeties of an engine with the weights of an optimum, and with those that a local search made of them."""
 
     __slots__ = ()
-    _FIELDS = ("end", "evaluations", "limits", "rows", "stages", "version", "weights",)
+    _FIELDS = ("effects", "end", "evaluations", "limits", "rows", "stages", "version", "weights",)
+
+    @property
+    def effects(self) -> Records[Effect]:
+        """Criteria before and after with the moved weights, as `effects` has them at the optimum; empty where none was moved."""
+        return self._all("effects", Effect)
 
     @property
     def end(self) -> DurableEnd:
@@ -4573,7 +4636,12 @@ class EnergyLedger(Record):
     """Energies at both ends and works between [J]."""
 
     __slots__ = ()
-    _FIELDS = ("driveline", "driveline_damping", "friction", "gas", "gravity", "kinetic", "load", "mount_damping", "mounts", "outside", "piston_friction", "starter", "throughput",)
+    _FIELDS = ("clutch", "driveline", "driveline_damping", "friction", "gas", "gravity", "kinetic", "load", "mount_damping", "mounts", "outside", "piston_friction", "starter", "throughput",)
+
+    @property
+    def clutch(self) -> float:
+        """What the first spring of the driveline loses as the clutch opens (negative): nothing holds its twist any more, and it comes to rest by itself."""
+        return self._get("clutch")  # type: ignore[no-any-return]
 
     @property
     def driveline(self) -> FloatArray:
@@ -7199,7 +7267,7 @@ class Mode(Record):
 
     @property
     def shares(self) -> FloatArray:
-        """Shares of the kinetic energy: slices along x, along y, turning about z, motion along z; the rest deforms slices."""
+        """Shares of the kinetic energy: slices that move along x or tilt with it, the same along y, turning about z, moving along z; the rest deforms slices."""
         return self._array("shares")  # type: ignore[no-any-return]
 
 
@@ -8121,6 +8189,28 @@ class Peak(Record):
         return self._get("z")  # type: ignore[no-any-return]
 
 
+class Peak2(Record):
+    """A value of a run, and where it stands."""
+
+    __slots__ = ()
+    _FIELDS = ("theta", "time", "value",)
+
+    @property
+    def theta(self) -> float:
+        """Crank angle of crankshaft 1 since the angle 0 [rad]."""
+        return self._get("theta")  # type: ignore[no-any-return]
+
+    @property
+    def time(self) -> float:
+        """Time [s]."""
+        return self._get("time")  # type: ignore[no-any-return]
+
+    @property
+    def value(self) -> float:
+        """Value."""
+        return self._get("value")  # type: ignore[no-any-return]
+
+
 class PeakStress(Record):
     """The largest stress of a surface."""
 
@@ -8271,6 +8361,38 @@ class PeriodHeat(Record):
     def walls(self) -> float:
         """Heat to the walls."""
         return self._get("walls")  # type: ignore[no-any-return]
+
+
+class PeriodSummary(Record):
+    """The last whole period of a run, or all of it where there is none."""
+
+    __slots__ = ()
+    _FIELDS = ("extremes", "is_whole", "orders", "statistics", "time",)
+
+    @property
+    def extremes(self) -> RunExtremes:
+        """Largest and smallest values."""
+        return self._of("extremes", RunExtremes)  # type: ignore[no-any-return]
+
+    @property
+    def is_whole(self) -> bool:
+        """Whether it is a whole period: the crank turns through one at least."""
+        return self._get("is_whole")  # type: ignore[no-any-return]
+
+    @property
+    def orders(self) -> Records[SimulatedOrder]:
+        """By order at the crank angle itself; empty where the samples are not equally spaced in the angle."""
+        return self._all("orders", SimulatedOrder)
+
+    @property
+    def statistics(self) -> Records[SeriesStatistics]:
+        """Mean over time and standard deviation of what has a course."""
+        return self._all("statistics", SeriesStatistics)
+
+    @property
+    def time(self) -> FloatArray:
+        """Its start and end [s]."""
+        return self._array("time")  # type: ignore[no-any-return]
 
 
 class PeriodicResult(Record):
@@ -9074,6 +9196,38 @@ class RotorEffects(Record):
         return self._get("roll")  # type: ignore[no-any-return]
 
 
+class RotorExtremes(Record):
+    """Of what is carried at one crankshaft or balance shaft."""
+
+    __slots__ = ()
+    _FIELDS = ("bearing_force", "bearing_moment", "gear_force", "gear_torque", "mains",)
+
+    @property
+    def bearing_force(self) -> Peak2:
+        """Force on all bearings together [N]."""
+        return self._of("bearing_force", Peak2)  # type: ignore[no-any-return]
+
+    @property
+    def bearing_moment(self) -> Peak2:
+        """Moment on all bearings together across the axis, about the axis in the plane of the origin [N m]."""
+        return self._of("bearing_moment", Peak2)  # type: ignore[no-any-return]
+
+    @property
+    def gear_force(self) -> Peak2:
+        """Force of its teeth [N]."""
+        return self._of("gear_force", Peak2)  # type: ignore[no-any-return]
+
+    @property
+    def gear_torque(self) -> Bounds:
+        """Torque of gear or chain [N m]."""
+        return self._of("gear_torque", Bounds)  # type: ignore[no-any-return]
+
+    @property
+    def mains(self) -> list[list[dict[str, Any]]]:
+        """Force on every main bearing [N], by rule (`ALL`), then by main."""
+        return self._list("mains")  # type: ignore[no-any-return]
+
+
 class RotorReactions(Record):
     """Loads of one crankshaft or balance shaft."""
 
@@ -9156,7 +9310,7 @@ class Run2(Record):
     """A run with its samples."""
 
     __slots__ = ()
-    _FIELDS = ("audit", "cost", "end", "energy", "engine", "events", "last_period", "outcome", "samples", "tolerances", "version",)
+    _FIELDS = ("audit", "cost", "end", "energy", "engine", "events", "extremes", "last_period", "last_period_extremes", "outcome", "samples", "stall", "tolerances", "version",)
 
     @property
     def audit(self) -> Audit:
@@ -9189,9 +9343,19 @@ class Run2(Record):
         return self._all("events", Happened)
 
     @property
+    def extremes(self) -> RunExtremes:
+        """Largest and smallest values over the whole run."""
+        return self._of("extremes", RunExtremes)  # type: ignore[no-any-return]
+
+    @property
     def last_period(self) -> EnergyLedger | None:
         """The same over its last period, where the crank turns forward through a whole one and samples mark both its ends."""
         return self._of("last_period", EnergyLedger)  # type: ignore[no-any-return]
+
+    @property
+    def last_period_extremes(self) -> RunExtremes | None:
+        """The same over its last period, where the crank turns forward through a whole one."""
+        return self._of("last_period_extremes", RunExtremes)  # type: ignore[no-any-return]
 
     @property
     def outcome(self) -> RunOutcome:
@@ -9204,6 +9368,11 @@ class Run2(Record):
         return self._of("samples", Samples)  # type: ignore[no-any-return]
 
     @property
+    def stall(self) -> Stall | None:
+        """Where a starter that never let go could not turn the crank on."""
+        return self._of("stall", Stall)  # type: ignore[no-any-return]
+
+    @property
     def tolerances(self) -> Tolerances:
         """Tolerances of its steps by kind of state."""
         return self._of("tolerances", Tolerances)  # type: ignore[no-any-return]
@@ -9212,6 +9381,53 @@ class Run2(Record):
     def version(self) -> int:
         """Version of this structure."""
         return self._get("version")  # type: ignore[no-any-return]
+
+
+class RunExtremes(Record):
+    """Largest and smallest values over a run, or over its last period."""
+
+    __slots__ = ()
+    _FIELDS = ("cylinders", "driveline", "mounts", "position", "rotors", "shaft_torque", "speed", "turn",)
+
+    @property
+    def cylinders(self) -> Records[CylinderExtremes]:
+        """By cylinder, where reactions were asked for."""
+        return self._all("cylinders", CylinderExtremes)
+
+    @property
+    def driveline(self) -> Records[Bounds]:
+        """Torque of every spring of the driveline with its damper, on the inertia behind it [N m]."""
+        return self._all("driveline", Bounds)
+
+    @property
+    def mounts(self) -> Records[Peak2]:
+        """Force of every mount [N]."""
+        return self._all("mounts", Peak2)
+
+    @property
+    def position(self) -> Records[Bounds]:
+        """Place of the block's origin along x, y and z [m]; empty with a fixed block."""
+        return self._all("position", Bounds)
+
+    @property
+    def rotors(self) -> Records[RotorExtremes]:
+        """Crankshafts, then balance shafts, where reactions were asked for."""
+        return self._all("rotors", RotorExtremes)
+
+    @property
+    def shaft_torque(self) -> Bounds | None:
+        """Torque that the crank train delivers at crankshaft 1 [N m], where reactions were asked for."""
+        return self._of("shaft_torque", Bounds)  # type: ignore[no-any-return]
+
+    @property
+    def speed(self) -> Bounds:
+        """Speed of crankshaft 1 relative to the block [rad/s]."""
+        return self._of("speed", Bounds)  # type: ignore[no-any-return]
+
+    @property
+    def turn(self) -> Records[Bounds]:
+        """Turn of the block about x, y and z [rad]; empty with a fixed block."""
+        return self._all("turn", Bounds)
 
 
 class RunOutcome(Record):
@@ -9255,7 +9471,7 @@ class Samples(Record):
     """One vector a quantity, one value a sample."""
 
     __slots__ = ()
-    _FIELDS = ("acceleration", "driveline", "driveline_torque", "friction_torque", "gas_torque", "governor", "load_torque", "mounts", "orientation", "outside_torque", "position", "reactions", "speed", "spin", "starter_torque", "theta", "time", "velocity",)
+    _FIELDS = ("acceleration", "driveline", "driveline_springs", "driveline_torque", "friction_torque", "gas_torque", "governor", "load_torque", "mounts", "orientation", "outside_torque", "piston_friction_torque", "position", "reactions", "speed", "spin", "starter_torque", "theta", "time", "velocity",)
 
     @property
     def acceleration(self) -> FloatArray:
@@ -9266,6 +9482,11 @@ class Samples(Record):
     def driveline(self) -> list[FloatArray]:
         """Angle [rad] and speed [rad/s] of the inertias of the driveline."""
         return self._rows("driveline")  # type: ignore[no-any-return]
+
+    @property
+    def driveline_springs(self) -> list[FloatArray]:
+        """Twist [rad] of the springs before them, and their torque with their dampers on the inertia behind each [N m]; 0 of an open clutch."""
+        return self._rows("driveline_springs")  # type: ignore[no-any-return]
 
     @property
     def driveline_torque(self) -> FloatArray:
@@ -9306,6 +9527,11 @@ class Samples(Record):
     def outside_torque(self) -> FloatArray:
         """Torque from the ground on crankshaft 1 besides: over the angle, and of an imposed speed's drive [N m]."""
         return self._array("outside_torque")  # type: ignore[no-any-return]
+
+    @property
+    def piston_friction_torque(self) -> FloatArray:
+        """Torque of the friction of the pistons on crankshaft 1 [N m]."""
+        return self._array("piston_friction_torque")  # type: ignore[no-any-return]
 
     @property
     def position(self) -> FloatArray:
@@ -9539,6 +9765,33 @@ class Sensitivity(Result):
     def weights(self) -> Literal['fixed', 'follow']:
         """What the counterweights do while throws and masses vary."""
         return self._get("weights")  # type: ignore[no-any-return]
+
+
+class SeriesStatistics(Record):
+    """Mean and deviation of one course over time."""
+
+    __slots__ = ()
+    _FIELDS = ("deviation", "mean", "name", "unit",)
+
+    @property
+    def deviation(self) -> float:
+        """Root of the mean square of what departs from it."""
+        return self._get("deviation")  # type: ignore[no-any-return]
+
+    @property
+    def mean(self) -> float:
+        """Mean over time."""
+        return self._get("mean")  # type: ignore[no-any-return]
+
+    @property
+    def name(self) -> str:
+        """What it is."""
+        return self._get("name")  # type: ignore[no-any-return]
+
+    @property
+    def unit(self) -> str:
+        """Its unit."""
+        return self._get("unit")  # type: ignore[no-any-return]
 
 
 class Shaft(Record):
@@ -9834,11 +10087,33 @@ class Similar(Record):
         return self._get("speed")  # type: ignore[no-any-return]
 
 
+class SimulatedOrder(Record):
+    """One order of the last period: what the crank train does to the block and at its shaft, and how speed and block follow."""
+
+    __slots__ = ()
+    _FIELDS = ("loads", "motion", "speed",)
+
+    @property
+    def loads(self) -> OrderLoads:
+        """Loads on the block and torque at crankshaft 1."""
+        return self._of("loads", OrderLoads)  # type: ignore[no-any-return]
+
+    @property
+    def motion(self) -> FloatArray:
+        """Parts of the motion of the block's origin across the crank axis that turn with the crank and against it [m]; 0 with a fixed block."""
+        return self._array("motion")  # type: ignore[no-any-return]
+
+    @property
+    def speed(self) -> FloatArray:
+        """Speed of crankshaft 1 [rad/s]."""
+        return self._array("speed")  # type: ignore[no-any-return]
+
+
 class SimulationResult(Result):
     """A simulated run with what its reader must know."""
 
     __slots__ = ()
-    _FIELDS = ("actions", "engine", "gas", "gears", "heat", "main_rule", "mains", "mounts", "notes", "periodic", "points", "revolutions", "run", "version",)
+    _FIELDS = ("actions", "engine", "gas", "gears", "heat", "main_rule", "mains", "mounts", "notes", "period", "periodic", "points", "revolutions", "run", "version",)
 
     @property
     def actions(self) -> list[str]:
@@ -9884,6 +10159,11 @@ class SimulationResult(Result):
     def notes(self) -> list[str]:
         """What was chosen where nothing was said, and what the file gives but the run does not use."""
         return self._list("notes")  # type: ignore[no-any-return]
+
+    @property
+    def period(self) -> PeriodSummary:
+        """The last period in numbers."""
+        return self._of("period", PeriodSummary)  # type: ignore[no-any-return]
 
     @property
     def periodic(self) -> PeriodicResult | None:
@@ -10229,6 +10509,48 @@ class StageGiveUp(Record):
     def used(self) -> float:
         """How far they raised it, in its unit."""
         return self._get("used")  # type: ignore[no-any-return]
+
+
+class Stall(Record):
+    """Where a starter could not turn the crank on: the farthest place at which it came to a halt. All torques are those on crankshaft 1."""
+
+    __slots__ = ()
+    _FIELDS = ("held_by", "missing", "others", "ratio", "starter", "theta", "time",)
+
+    @property
+    def held_by(self) -> float:
+        """Torque by which friction and load hold it [N m]."""
+        return self._get("held_by")  # type: ignore[no-any-return]
+
+    @property
+    def missing(self) -> float:
+        """What is missing to turn on from there [N m]."""
+        return self._get("missing")  # type: ignore[no-any-return]
+
+    @property
+    def others(self) -> float:
+        """Torque of gas, weight and driveline there [N m]; negative where they hold the crank back."""
+        return self._get("others")  # type: ignore[no-any-return]
+
+    @property
+    def ratio(self) -> float:
+        """Turns of the starter for one of the crank."""
+        return self._get("ratio")  # type: ignore[no-any-return]
+
+    @property
+    def starter(self) -> float:
+        """Torque of the starter [N m]."""
+        return self._get("starter")  # type: ignore[no-any-return]
+
+    @property
+    def theta(self) -> float:
+        """Crank angle [rad]."""
+        return self._get("theta")  # type: ignore[no-any-return]
+
+    @property
+    def time(self) -> float:
+        """Time [s]."""
+        return self._get("time")  # type: ignore[no-any-return]
 
 
 class StaticStress(Result):
@@ -10832,7 +11154,12 @@ class ThrowInertia(Record):
     """Share of a throw in the inertia of its crankshaft."""
 
     __slots__ = ()
-    _FIELDS = ("inertia", "mass", "throw",)
+    _FIELDS = ("crankshaft", "inertia", "mass", "throw",)
+
+    @property
+    def crankshaft(self) -> int:
+        """Index of its crankshaft."""
+        return self._get("crankshaft")  # type: ignore[no-any-return]
 
     @property
     def inertia(self) -> float:
