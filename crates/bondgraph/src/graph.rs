@@ -217,6 +217,18 @@ impl Element {
     pub(crate) fn is_junction(&self) -> bool {
         matches!(self.kind, Kind::Zero | Kind::One)
     }
+
+    /// Its laws as they are written.
+    pub(crate) fn laws(&self) -> Vec<Id> {
+        match &self.law {
+            Law::Source(law) | Law::Ratio(law) => vec![*law],
+            Law::Resistor { effort, flow } => effort.iter().chain(flow).copied().collect(),
+            Law::Resistors { laws, .. } => laws.clone(),
+            Law::Store(ports) => ports.iter().flat_map(|port| port.effort.or(port.flow)).collect(),
+            Law::Matrix(rows) => rows.concat(),
+            Law::Junction => Vec::new(),
+        }
+    }
 }
 
 impl Bond {

@@ -2,7 +2,7 @@
 
 use crate::equations::Equations;
 use crate::expression::{Function, Id, Node, Pool, Printed, Style, Var};
-use crate::graph::{Element, Law};
+use crate::graph::Element;
 use std::collections::HashMap;
 
 /// Longest condition that is written out.
@@ -18,17 +18,8 @@ impl Equations {
         switches: &[Id],
     ) -> Vec<String> {
         let graph = &self.graph;
-        let laws = |element: &Element| -> Vec<Id> {
-            match &element.law {
-                Law::Source(law) | Law::Ratio(law) => vec![*law],
-                Law::Resistor { effort, flow } => effort.iter().chain(flow).copied().collect(),
-                Law::Resistors { laws, .. } => laws.clone(),
-                Law::Store(ports) => ports.iter().flat_map(|port| port.effort.or(port.flow)).collect(),
-                Law::Matrix(rows) => rows.concat(),
-                Law::Junction => Vec::new(),
-            }
-        };
-        let of_laws = graph.elements.iter().flat_map(laws).chain(graph.signals.iter().map(|own| own.value));
+        let of_laws =
+            graph.elements.iter().flat_map(Element::laws).chain(graph.signals.iter().map(|own| own.value));
         let mut written: Vec<Id> = Vec::new();
         for law in of_laws.collect::<Vec<_>>() {
             for part in graph.pool.parts(law) {

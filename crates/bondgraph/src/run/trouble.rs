@@ -113,17 +113,7 @@ impl Equations {
     ) -> Option<String> {
         let graph = &self.graph;
         let signals = graph.signals.len();
-        let laws = |element: &Element| -> Vec<Id> {
-            match &element.law {
-                Law::Source(law) | Law::Ratio(law) => vec![*law],
-                Law::Resistor { effort, flow } => effort.iter().chain(flow).copied().collect(),
-                Law::Resistors { laws, .. } => laws.clone(),
-                Law::Store(ports) => ports.iter().flat_map(|port| port.effort.or(port.flow)).collect(),
-                Law::Matrix(rows) => rows.concat(),
-                Law::Junction => Vec::new(),
-            }
-        };
-        let of_elements = graph.elements.iter().map(|element| (&element.name, laws(element)));
+        let of_elements = graph.elements.iter().map(|element| (&element.name, element.laws()));
         let of_signals = graph.signals.iter().map(|signal| (&signal.name, vec![signal.value]));
         let roots: Vec<(&String, Id)> = of_elements
             .chain(of_signals)

@@ -1057,7 +1057,8 @@ class Engine:
     ) -> CrankRule:
         """Strength by the formulas of IACS UR M53, throw by throw.
 
-        `torsional_vibration`: amplitude of the torque [N m], one for all throws or one for each. `finite_elements`: stress concentration factors by
+        `torsional_vibration`: amplitude of the torque [N m], one for all throws or one for each; 0 leaves it out. Without it that of the engine's own
+        chain counts, where the file has one. `finite_elements`: stress concentration factors by
         finite elements beside those of the formulas, each throw meshed with elements of `size` [m] and `fillet_elements` across a fillet, an even
         number from 6 on.
 

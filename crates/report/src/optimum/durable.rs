@@ -43,7 +43,7 @@ pub fn durability_table(durable: &Durable) -> Table {
     }
     columns.push(words("smallest at", rows.iter().map(|row| place(&row.after))));
     let note = "Smallest over the cycle and the speeds that are judged: films quasi-static, by tables, under the loads of gas and inertia; safety \
-                after UR M53 of fillets and oil bores. Weights on a crankshaft change neither the film of a crankpin nor the safety after UR M53, which leaves mean \
+                after UR M53 of fillets and oil bores, without torsional vibration. Weights on a crankshaft change neither the film of a crankpin nor the safety after UR M53, which leaves mean \
                 stresses out.";
     Table::of_columns("durability", "Films and safeties", note, columns)
 }
