@@ -9,6 +9,7 @@ macro_rules! embedded {
 /// The graph files of `examples/bond-graphs/`, by their names without ending, in the order of a course.
 pub const BOND_GRAPHS: &[(&str, &str)] = embedded![
     "mass-spring-damper",
+    "stick-slip",
     "dc-motor",
     "two-tanks",
     "two-tanks-turbulent",

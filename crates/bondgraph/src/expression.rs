@@ -216,6 +216,12 @@ impl Pool {
                 return self.constant(f64::from_bits(x) / f64::from_bits(y));
             }
             (Node::Negative(x), Node::Negative(y)) => return self.quotient(x, y),
+            // A number that multiplies both, such as the 2 of d/dq q^2/(2 C).
+            (Node::Product(x, above), Node::Product(y, below))
+                if x == y && self.value(x).is_some_and(|value| value != 0.0) =>
+            {
+                return self.quotient(above, below);
+            }
             (Node::Negative(x), _) => {
                 let quotient = self.quotient(x, b);
                 return self.negative(quotient);

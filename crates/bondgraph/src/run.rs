@@ -10,5 +10,6 @@ mod periodic;
 mod returning;
 mod seconds;
 pub(crate) mod simulate;
+mod sticking;
 mod tape;
 mod trouble;

@@ -155,12 +155,12 @@ pub enum Command {
     /// Find the best counterweights and balance shafts, prove that nothing better exists, write them into the file.
     #[command(
         after_help = "Examples:\n  lanchester balance twin.toml\n  lanchester balance twin.toml --minimise couple --minimise force\n  \
-                            lanchester balance twin.toml --limit 'couple = 40 N m' --most '0.03 kg m'\n  \
+                            lanchester balance twin.toml --limit 'couple = 40 N m' --max-unbalance '0.03 kg m'\n  \
                             lanchester balance twin.toml --shaft '-1 @ 0 mm, 100 mm @ 0 mm'\n  \
-                            lanchester balance twin.toml --most-optional 1 --shaft '-1 @ 0 mm, 100 mm @ 0 mm @ optional, most 0.02 kg m' \
+                            lanchester balance twin.toml --max-optional 1 --shaft '-1 @ 0 mm, 100 mm @ 0 mm @ optional, most 0.02 kg m' \
                             --shaft '1 @ 0 mm, -100 mm @ 0 mm @ optional, most 0.02 kg m'\n  \
                             lanchester balance twin.toml --cancel 'force order 1' --shaft '-1 @ 0 mm, 100 mm @ 0 mm'\n  \
-                            lanchester balance four.toml --maximise 'main-bearing film' --most-evaluations 60\n  \
+                            lanchester balance four.toml --maximise 'main-bearing film' --max-evaluations 60\n  \
                             lanchester balance four.toml --at-least 'main-bearing film = 0.5 um'\n  \
                             lanchester balance twin.toml --dry-run\n  lanchester balance twin.toml --write\n  \
                             lanchester balance twin.toml --search --limit 'force = 5 kN' --figures figures\n  \
@@ -477,7 +477,7 @@ pub struct BalanceArguments {
     #[arg(long, value_enum)]
     pub counterweights: Option<CrankWeights>,
     /// Largest unbalance of every free weight on the crankshaft, or `what fits`: what shapes and clearance allow on its web.
-    #[arg(long, value_name = "UNBALANCE")]
+    #[arg(long = "max-unbalance", alias = "most", value_name = "UNBALANCE")]
     pub most: Option<String>,
     /// Step in which every free weight on a crankshaft is made: an unbalance such as `200 g mm`, or a mass such as `5 g` at the radius
     /// that [balance] gives.
@@ -487,13 +487,13 @@ pub struct BalanceArguments {
     #[arg(long)]
     pub equal_parts: bool,
     /// Least unbalance of every free weight on the crankshaft that is used.
-    #[arg(long, value_name = "UNBALANCE")]
+    #[arg(long = "min-unbalance", alias = "least", value_name = "UNBALANCE")]
     pub least: Option<String>,
-    /// Every free weight on the crankshaft may be left out; needs `--most`, or `most` in the file.
+    /// Every free weight on the crankshaft may be left out; needs `--max-unbalance`, or `most` in the file.
     #[arg(long)]
     pub optional: bool,
     /// Most of the optional weights, shafts and inertias that may be used at once.
-    #[arg(long, value_name = "N")]
+    #[arg(long = "max-optional", alias = "most-optional", value_name = "N")]
     pub most_optional: Option<usize>,
     /// One more free balance shaft: `RATIO @ x, y @ z` or `RATIO @ x, y @ z1, z2`; a ratio below 0 turns against the
     /// crank. A coordinate may be a range to be optimised over, `50 mm .. 100 mm`; behind one more `@` may stand `optional`,

@@ -57,7 +57,7 @@ pub fn sensitivity_amount(text: &str, name: &str) -> Result<(Quantity, Amount), 
     let Some(quantity) = Quantity::all().find(|quantity| quantity.name() == words) else {
         let names: Vec<&str> = Quantity::all().map(Quantity::name).collect();
         return Err(BadQuantity {
-            message: format!("`{name}` knows no quantity \"{words}\""),
+            message: format!("unknown quantity \"{words}\" for `{name}`"),
             hint: format!("it knows {}", names.join(", ")),
         });
     };

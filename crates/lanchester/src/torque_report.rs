@@ -161,7 +161,9 @@ pub fn torque_report(
     };
     let brake = friction.map(|friction| found.indicated.brake(&friction, speed));
     if brake.is_some_and(|brake| brake.torque <= 0.0) {
-        warnings.push("friction takes more than the gas gives: the engine does not turn by itself".into());
+        warnings.push(
+            "FMEP exceeds IMEP: the brake torque is negative, and the engine does not run by itself".into(),
+        );
     }
     if !outer.is_none() {
         warnings.push(BESIDES.into());

@@ -89,9 +89,10 @@ pub fn torque_brief(
         })
         .collect();
     let extremes = torque_extremes_table(torque);
-    if let (Some(row), Some(column)) =
-        (extremes.rows.len().checked_sub(1), extremes.columns.iter().position(|c| c.header == "excess"))
-    {
+    if let (Some(row), Some(column)) = (
+        extremes.rows.len().checked_sub(1),
+        extremes.columns.iter().position(|c| c.header == "energy fluctuation"),
+    ) {
         lines.push((
             format!("torque, {}", quantity(&extremes, row, 0)),
             format!("{} to {}", quantity(&extremes, row, 3), quantity(&extremes, row, 1)),

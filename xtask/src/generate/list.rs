@@ -50,10 +50,10 @@ pub const WRITTEN: [Written; 38] = [
     drawn("docs/src/images/bond-graph-three-cylinder.svg", &DRAWN_ENGINE),
     graph_run("docs/src/images/bond-graph-pressures.svg", &RUN_UP, "bond-graph-pressures.svg"),
     graph_run("docs/src/images/bond-graph-loops.svg", &RUN_UP, "bond-graph-loops.svg"),
-    graph_run("docs/src/images/bond-graph-speed.svg", &RUN_UP, "bond-graph-speed.svg"),
+    graph_run("docs/src/images/bond-graph-speed.svg", &TO_SPEED, "bond-graph-speed.svg"),
     graph_run("docs/src/images/bond-graph-pressures-four.svg", &RUN_UP_FOUR, "bond-graph-pressures.svg"),
     graph_run("docs/src/images/bond-graph-loops-four.svg", &RUN_UP_FOUR, "bond-graph-loops.svg"),
-    graph_run("docs/src/images/bond-graph-speed-four.svg", &RUN_UP_FOUR, "bond-graph-speed.svg"),
+    graph_run("docs/src/images/bond-graph-speed-four.svg", &TO_SPEED_FOUR, "bond-graph-speed.svg"),
     graph_run("docs/src/images/bond-graph-tilt.svg", &TILT, "bond-graph-tilt.svg"),
     graph_run("docs/src/images/bond-graph-block-without.svg", &ROCKING_WITHOUT, "bond-graph-block.svg"),
     graph_run("docs/src/images/bond-graph-block-with.svg", &ROCKING_WITH, "bond-graph-block.svg"),
@@ -103,11 +103,16 @@ const fn graph_run(file: &'static str, arguments: &'static [&'static str], figur
     Written::figure(file, arguments, figure)
 }
 
-const RUN_UP: [&str; 11] = run_up("examples/three-cylinder.toml");
-const RUN_UP_FOUR: [&str; 11] = run_up("validation/three-four-cylinder-thesis/four-cylinder-simulated.toml");
+const RUN_UP: [&str; 11] = run_up("examples/three-cylinder.toml", "5 s");
+const RUN_UP_FOUR: [&str; 11] =
+    run_up("validation/three-four-cylinder-thesis/four-cylinder-simulated.toml", "5 s");
+/// The same until the speed is steady.
+const TO_SPEED: [&str; 11] = run_up("examples/three-cylinder.toml", "15 s");
+const TO_SPEED_FOUR: [&str; 11] =
+    run_up("validation/three-four-cylinder-thesis/four-cylinder-simulated.toml", "15 s");
 
-/// An engine with its block fixed, from 1000 rpm on.
-const fn run_up(engine: &'static str) -> [&'static str; 11] {
+/// An engine with its block fixed, from 1000 rpm on, for some time.
+const fn run_up(engine: &'static str, time: &'static str) -> [&'static str; 11] {
     [
         "bondgraph",
         "simulate",
@@ -117,7 +122,7 @@ const fn run_up(engine: &'static str) -> [&'static str; 11] {
         "--speed",
         "1000 rpm",
         "--for",
-        "5 s",
+        time,
         "--samples",
         "24000",
     ]

@@ -57,10 +57,10 @@ struct BalanceQuestion {
     /// Shafts that are added, as `--shaft` takes them: `-1 @ 0 mm, 100 mm @ -30 mm, 30 mm` is ratio @ x, y of the axis @ planes.
     #[serde(default)]
     shafts: Vec<String>,
-    /// Least unbalance of every free weight on a crankshaft that is used, as `--least` takes it.
+    /// Least unbalance of every free weight on a crankshaft that is used, as `--min-unbalance` takes it.
     #[serde(default)]
     least: Option<String>,
-    /// Largest unbalance of every free weight on a crankshaft, as `--most` takes it.
+    /// Largest unbalance of every free weight on a crankshaft, as `--max-unbalance` takes it.
     #[serde(default)]
     most: Option<String>,
     /// Step in which every free weight on a crankshaft is made, as `--weight-step` takes it.

@@ -98,6 +98,8 @@ struct GraphAnswer {
     equations: Vec<EquationList>,
     /// Poles of a linear graph.
     poles: Vec<GraphPole>,
+    /// From each source to what stores give, of a linear graph.
+    transfer: Vec<GraphTransfer>,
     /// Why there are no poles.
     not_linear: Option<String>,
     /// Samples of a run [s].
@@ -205,6 +207,15 @@ struct GraphPole {
     hertz: f64,
 }
 
+/// A transfer function.
+#[derive(Debug, Serialize, JsonSchema)]
+struct GraphTransfer {
+    input: String,
+    output: String,
+    /// A fraction in powers of s, as MathML.
+    mathml: String,
+}
+
 pub(crate) fn questions(api: Api) -> Api {
     let api = api.get("/api/bondgraph/examples", "Bond graphs to start from.", |_| {
         let own = |(name, text): &(&str, &str)| GraphExample { name: (*name).into(), text: (*text).into() };
@@ -264,9 +275,9 @@ fn answer(text: &str, parts: &BTreeMap<String, String>) -> Result<GraphAnswer, P
     let asked = SimulationRequest { samples, most_evaluations: MOST_EVALUATIONS, ..asked };
     let run = found.simulate(&asked);
     let shown = found.shown(Notation::Latex);
-    let (poles, not_linear) = match found.linear() {
-        Ok(linear) => (linear.poles, None),
-        Err(reason) => (Vec::new(), Some(reason.in_words().join(": "))),
+    let (poles, transfer, not_linear) = match found.linear() {
+        Ok(linear) => (linear.poles, linear.transfer, None),
+        Err(reason) => (Vec::new(), Vec::new(), Some(reason.in_words().join(": "))),
     };
     let Placed { size, elements, bonds, tiles } = placed(&graph, &found.causality);
     Ok(GraphAnswer {
@@ -320,6 +331,9 @@ fn answer(text: &str, parts: &BTreeMap<String, String>) -> Result<GraphAnswer, P
                 damping: own.damping,
                 hertz: own.hertz,
             })
+            .collect(),
+        transfer: (transfer.into_iter())
+            .map(|own| GraphTransfer { mathml: mathml(&own.latex()), input: own.input, output: own.output })
             .collect(),
         not_linear,
         time: run.time,
@@ -377,6 +391,13 @@ mod tests {
         assert_ne!(changed, text);
         let after = answer(&changed, &BTreeMap::new()).expect("it is good");
         assert_eq!(before.poles.len(), 2);
+        // 1/m s / (s^2 + R/m s + k/m): from the push to the speed of the car.
+        let fraction =
+            &after.transfer.iter().find(|own| own.output == "mass.flow").expect("an output").mathml;
+        assert!(
+            fraction.contains("<mn>0.833333</mn><mi>s</mi>") && fraction.contains("<mn>208.333</mn>"),
+            "{fraction}"
+        );
         // m s^2 + R s + k: the real part is -R/2m.
         assert!((after.poles[0].real / before.poles[0].real - 2.0).abs() < 1e-9);
     }

@@ -115,7 +115,11 @@ impl Numbers {
             }
         }
         let mass = moments.mass;
-        let centre = moments.first.map(|first| first / mass);
+        // What rounding leaves of moments that cancel over the revolutions is none.
+        let first = moments.first.iter().zip(moments.size);
+        let first: Vec<f64> =
+            first.map(|(own, size)| if own.abs() < 1e-14 * size { 0.0 } else { *own }).collect();
+        let centre = [0, 1, 2].map(|k| first[k] / mass);
         let mut inertia = moments.second;
         let square: f64 = centre.iter().map(|c| c * c).sum();
         for i in 0..3 {
@@ -184,6 +188,8 @@ impl Numbers {
 struct Moments {
     mass: f64,
     first: [f64; 3],
+    /// What the first moments are summed from, without their signs.
+    size: [f64; 3],
     second: [[f64; 3]; 3],
 }
 
@@ -193,6 +199,7 @@ impl Moments {
         self.mass += weight * mass;
         for i in 0..3 {
             self.first[i] += weight * mass * at[i];
+            self.size[i] += (weight * mass * at[i]).abs();
             for j in 0..3 {
                 let point = if i == j { square } else { 0.0 } - at[i] * at[j];
                 self.second[i][j] += weight * (own[i][j] + mass * point);

@@ -3,7 +3,7 @@
 use crate::causality::Causality;
 use crate::causality::loops::AlgebraicLoop;
 use crate::graph::Graph;
-use crate::linear::Linear;
+use crate::linear::{Linear, Transfer};
 use crate::output::parts::EquationPart;
 use crate::output::shown::{Notation, ShownEquations};
 use crate::run::motion::{PeriodicEnd, PeriodicMotion};
@@ -193,6 +193,26 @@ fn polynomial(coefficients: &[f64]) -> String {
     if terms.is_empty() { "0".into() } else { terms.join(" + ").replace("+ -", "- ") }
 }
 
+impl Transfer {
+    /// As a fraction in LaTeX, in falling powers of s.
+    pub fn latex(&self) -> String {
+        let of = |coefficients: &[f64]| -> String {
+            let mut out = String::new();
+            for word in polynomial(coefficients).split(' ') {
+                let power = word.strip_prefix("s^").map(|power| format!("s^{{{power}}}"));
+                let number = word.split_once('e').map(|(m, e)| format!("{m}\\cdot 10^{{{e}}}"));
+                out += &power.or(number).unwrap_or_else(|| word.to_owned());
+                out.push(' ');
+            }
+            out.trim_end().to_owned()
+        };
+        match self.denominator.as_slice() {
+            [_] => of(&self.numerator),
+            _ => format!("\\frac{{{}}}{{{}}}", of(&self.numerator), of(&self.denominator)),
+        }
+    }
+}
+
 /// A simulation as text: how it ran, of an engine its speed, torque and block, and the extremes of every quantity.
 pub fn simulation_text(run: &Simulation) -> String {
     simulation_head(run) + &quantities_text(run, run.series.len())
@@ -314,8 +334,13 @@ fn events_text(run: &Simulation) -> String {
     }
     out += "events\n";
     for event in run.events.iter().take(MOST_EVENTS) {
-        let becomes = if event.on { "becomes true" } else { "ends" };
-        let _ = writeln!(out, "  {:>14.9} s  {} {becomes}", event.time, event.expression);
+        let (what, becomes) = match (event.expression.strip_suffix(" sticks"), event.on) {
+            (Some(speed), true) => (speed, "sticks"),
+            (Some(speed), false) => (speed, "gives way"),
+            (None, true) => (event.expression.as_str(), "becomes true"),
+            (None, false) => (event.expression.as_str(), "ends"),
+        };
+        let _ = writeln!(out, "  {:>14.9} s  {what} {becomes}", event.time);
     }
     if run.events.len() > MOST_EVENTS {
         let _ = writeln!(out, "  and {} more (all in JSON)", run.events.len() - MOST_EVENTS);

@@ -5,6 +5,7 @@ use crate::equations::{Equations, What};
 use crate::expression::{Id, Pool, Var};
 use crate::run::following::Following;
 use crate::run::held::{Held, Switches};
+use crate::run::sticking::Sticking;
 use crate::run::tape::Tape;
 use lanchester_numerics::{Lu, System};
 use std::collections::HashMap;
@@ -35,6 +36,8 @@ pub(crate) struct Compiled {
     /// Conditions and arguments of curves.
     switch_functions: Tape,
     pub(crate) held: Held,
+    /// Dry friction that can stick.
+    pub(crate) sticking: Sticking,
     /// Each condition as the graph writes it.
     pub(crate) conditions: Vec<String>,
     /// Of each event of the graph: its switch, the states that it sets.
@@ -59,8 +62,8 @@ pub(crate) struct Compiled {
     /// When the unknowns had no solution, if they had none the last time.
     unsolved_at: Option<f64>,
     /// Time, states, unknowns.
-    inputs: Vec<f64>,
-    work: Vec<f64>,
+    pub(crate) inputs: Vec<f64>,
+    pub(crate) work: Vec<f64>,
     values: Vec<f64>,
     scratch: Vec<f64>,
 }
@@ -142,6 +145,7 @@ impl Compiled {
         let following = Following::new(equations, &mut pool, &rates, &held, &left, &input, &mut switches);
         if let Some(following) = following {
             let variables = Tape::new(&mut pool, &variables, &input, &mut switches);
+            let sticking = Sticking::new(&mut pool, &input, &mut switches);
             let functions = functions(&mut pool, &input, &mut switches);
             return Compiled {
                 states,
@@ -155,6 +159,7 @@ impl Compiled {
                 slopes: None,
                 switch_functions: functions,
                 held: Held::new(&switches, &pool),
+                sticking,
                 conditions: equations.conditions(&mut pool, &number, &mut known, &switches.functions),
                 rules,
                 stops,
@@ -193,6 +198,7 @@ impl Compiled {
         let residuals = Tape::new(&mut pool, &with_slopes, &input, &mut switches);
         let variables = Tape::new(&mut pool, &variables, &input, &mut switches);
         let slopes = Tape::new(&mut pool, &slopes, &input, &mut switches);
+        let sticking = Sticking::new(&mut pool, &input, &mut switches);
         let switch_functions = functions(&mut pool, &input, &mut switches);
         let unknowns = left.len();
         Compiled {
@@ -207,6 +213,7 @@ impl Compiled {
             slopes: Some(slopes),
             switch_functions,
             held: Held::new(&switches, &pool),
+            sticking,
             conditions: equations.conditions(&mut pool, &number, &mut known, &switches.functions),
             rules,
             stops,
@@ -329,14 +336,29 @@ impl Compiled {
     /// Effort and flow of every bond, then every signal.
     pub(crate) fn variables(&mut self, t: f64, y: &[f64], signals: usize) -> Vec<f64> {
         let mut values = vec![f64::NAN; 2 * self.bonds + signals];
+        self.hold(t, y);
         if self.place(t, y) {
             self.variables.run(&self.inputs, &self.held, &mut self.work, &mut values);
         }
         values
     }
 
+    /// Rates of the states with the signs as they are held; no numbers where unknowns have no solution.
+    pub(crate) fn rates(&mut self, t: f64, y: &[f64], rates: &mut [f64]) -> bool {
+        if !self.place(t, y) {
+            rates.fill(f64::NAN);
+            return false;
+        }
+        if self.following.is_some() {
+            rates[..self.states].copy_from_slice(&self.found);
+        } else {
+            self.rates.run(&self.inputs, &self.held, &mut self.work, &mut rates[..self.states]);
+        }
+        true
+    }
+
     /// Values of conditions and arguments of curves. Unknowns are solved only where these hang on one.
-    fn quantities(&mut self, t: f64, y: &[f64], values: &mut [f64]) {
+    pub(crate) fn quantities(&mut self, t: f64, y: &[f64], values: &mut [f64]) {
         let ready = if self.switch_functions.reads_from(1 + self.states) {
             self.place(t, y)
         } else {
@@ -395,7 +417,7 @@ impl Compiled {
         self.stops.contains(&switch)
     }
 
-    /// Sets each switch by its function; where that is zero, by where it goes next. Curves are read ahead of their place.
+    /// Sets each switch by its function; where that is zero, by where it goes next, or lets it stick there. Curves are read ahead of their place.
     pub(crate) fn settle(&mut self, t: f64, y: &[f64]) {
         let count = self.held.quantities();
         let mut values = vec![0.0; count];
@@ -411,11 +433,9 @@ impl Compiled {
             let ahead: Vec<f64> = y.iter().zip(&slope).map(|(y, s)| y + step * s).collect();
             let mut later = vec![0.0; count];
             self.quantities(t + step, &ahead, &mut later);
-            for (index, on) in self.held.on.iter_mut().enumerate() {
-                if values[index] == 0.0 {
-                    *on = later[index] > 0.0;
-                }
-            }
+            let at_zero: Vec<usize> = (0..self.held.on.len()).filter(|index| values[*index] == 0.0).collect();
+            at_zero.iter().for_each(|index| self.held.turn(*index, later[*index] > 0.0));
+            self.stick(&at_zero, t, y);
         }
     }
 }
@@ -441,16 +461,8 @@ impl System for Compiled {
     }
 
     fn derivative(&mut self, t: f64, y: &[f64], derivative: &mut [f64]) {
-        if !self.place(t, y) {
-            derivative.fill(f64::NAN);
-            return;
-        }
-        if self.following.is_some() {
-            derivative[..self.states].copy_from_slice(&self.found);
-        } else {
-            self.rates.run(&self.inputs, &self.held, &mut self.work, &mut derivative[..self.states]);
-        }
-        if self.audited {
+        self.hold(t, y);
+        if self.rates(t, y, derivative) && self.audited {
             self.scratch.resize(2 * self.bonds, 0.0);
             self.variables.run(&self.inputs, &self.held, &mut self.work, &mut self.scratch);
             for bond in 0..self.bonds {
@@ -465,6 +477,7 @@ impl System for Compiled {
     }
 
     fn event_functions(&mut self, t: f64, y: &[f64], values: &mut [f64]) {
+        self.hold(t, y);
         let mut quantities = std::mem::take(&mut self.scratch);
         quantities.resize(self.held.quantities(), 0.0);
         self.quantities(t, y, &mut quantities);
@@ -474,7 +487,7 @@ impl System for Compiled {
 
     /// Exact for the states; energies hang on nothing, and Newton's iteration needs no slopes of theirs.
     fn jacobian(&mut self, t: f64, y: &[f64], jacobian: &mut [f64]) -> bool {
-        if self.slopes.is_none() {
+        if self.slopes.is_none() || !self.held.stuck.is_empty() {
             return false;
         }
         if !self.place(t, y) {

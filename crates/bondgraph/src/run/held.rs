@@ -1,8 +1,8 @@
-//! What is held between two events: on which side each condition is, and between which kinks each curve is read.
+//! What is held between two events: on which side each condition is, which laws of dry friction stick, and between which kinks each curve is read.
 
 use crate::curve::Curve;
 use crate::expression::{Id, Pool};
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 use std::sync::Arc;
 
 /// The conditions and the arguments of curves within expressions, as they are found while tapes are compiled.
@@ -10,6 +10,8 @@ use std::sync::Arc;
 pub(crate) struct Switches {
     /// Functions of conditions: on where positive.
     pub(crate) functions: Vec<Id>,
+    /// Those whose `sign` a law takes, rising.
+    pub(crate) signs: BTreeSet<u32>,
     /// Curves with their arguments.
     pub(crate) slots: Vec<(u32, Id)>,
     places: HashMap<Id, u32>,
@@ -24,6 +26,13 @@ impl Switches {
             functions.push(id);
             next
         })
+    }
+
+    /// The place of a condition whose sign is taken.
+    pub(crate) fn of_sign(&mut self, id: Id) -> u32 {
+        let place = self.of(id);
+        self.signs.insert(place);
+        place
     }
 
     pub(crate) fn slot(&mut self, curve: u32, argument: Id) -> u32 {
@@ -54,6 +63,12 @@ struct Slot {
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Held {
     pub(crate) on: Vec<bool>,
+    /// The sign of each condition's function: 1 or -1 but for those that stick, between -1 and 1 there.
+    pub(crate) signs: Vec<f64>,
+    /// Conditions whose function stays 0 because both sides lead back to it.
+    pub(crate) stuck: Vec<usize>,
+    /// What each function had when it last gave way: from there its next change of sign counts.
+    shifts: Vec<f64>,
     slots: Vec<Slot>,
 }
 
@@ -65,7 +80,14 @@ impl Held {
             window: everywhere,
             signs: [1.0; 2],
         };
-        Held { on: vec![false; switches.functions.len()], slots: switches.slots.iter().map(slot).collect() }
+        let count = switches.functions.len();
+        Held {
+            on: vec![false; count],
+            signs: vec![-1.0; count],
+            stuck: Vec::new(),
+            shifts: vec![0.0; count],
+            slots: switches.slots.iter().map(slot).collect(),
+        }
     }
 
     /// Value of a curve or its derivative.
@@ -87,7 +109,14 @@ impl Held {
     /// Event functions from the values of conditions and arguments.
     pub(crate) fn event_functions(&self, quantities: &[f64], values: &mut [f64]) {
         let count = self.on.len();
-        values[..count].copy_from_slice(&quantities[..count]);
+        for (value, (function, shift)) in values.iter_mut().zip(quantities[..count].iter().zip(&self.shifts))
+        {
+            *value = function - shift;
+        }
+        // What sticks gives way where its sign comes to 1 or -1.
+        for index in &self.stuck {
+            values[*index] = 1.0 - self.signs[*index] * self.signs[*index];
+        }
         for (index, slot) in self.slots.iter().enumerate() {
             let x = quantities[count + index];
             let [low, high] = slot.window;
@@ -109,7 +138,7 @@ impl Held {
     /// What follows from an event.
     pub(crate) fn happen(&mut self, event: usize, rising: bool) {
         match event.checked_sub(self.on.len()) {
-            None => self.on[event] = rising,
+            None => self.turn(event, rising),
             Some(rest) => {
                 let slot = &mut self.slots[rest / 2];
                 slot.window = slot.curve.neighbour(slot.window, rest % 2 == 1);
@@ -118,11 +147,32 @@ impl Held {
         }
     }
 
+    /// Puts a condition on one side.
+    pub(crate) fn turn(&mut self, condition: usize, on: bool) {
+        self.on[condition] = on;
+        self.signs[condition] = if on { 1.0 } else { -1.0 };
+        self.shifts[condition] = 0.0;
+    }
+
+    /// Lets a condition stick.
+    pub(crate) fn stick(&mut self, condition: usize) {
+        self.stuck.push(condition);
+        self.signs[condition] = 0.0;
+    }
+
+    /// Lets a condition that stuck go to the side of its sign; `function` is what its function has there.
+    pub(crate) fn give_way(&mut self, condition: usize, function: f64) {
+        self.stuck.retain(|own| *own != condition);
+        self.turn(condition, self.signs[condition] > 0.0);
+        self.shifts[condition] = function;
+    }
+
     /// Takes conditions and windows as they are at these values; forgets what happened before.
     pub(crate) fn settle(&mut self, quantities: &[f64]) {
         let count = self.on.len();
-        for (on, value) in self.on.iter_mut().zip(quantities) {
-            *on = *value > 0.0;
+        self.stuck.clear();
+        for (index, value) in quantities[..count].iter().enumerate() {
+            self.turn(index, *value > 0.0);
         }
         for (slot, x) in self.slots.iter_mut().zip(&quantities[count..]) {
             slot.window = slot.curve.window(*x);

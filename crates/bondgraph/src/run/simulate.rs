@@ -139,7 +139,7 @@ pub struct Event {
     pub time: f64,
     /// Which condition, by its place among those of the graph.
     pub condition: usize,
-    /// That condition as the graph writes it: `pipe.effort > 0`.
+    /// That condition as the graph writes it: `pipe.effort > 0`; of dry friction that sticks `crank.flow sticks`.
     pub expression: String,
     /// Whether it became true.
     pub on: bool,
@@ -182,6 +182,18 @@ impl Sizes {
     pub fn absolute(&self, tolerance: f64) -> Vec<f64> {
         let own = self.largest.iter().zip(&self.noise);
         own.map(|(size, noise)| (0.01 * tolerance * size).max(*noise).max(1e-200)).collect()
+    }
+}
+
+impl Compiled {
+    /// That a condition switched, or began or ended to stick.
+    fn event(&self, time: f64, condition: usize, sticks: bool, on: bool) -> Event {
+        let written = &self.conditions[condition];
+        let expression = match written.strip_suffix(" > 0") {
+            Some(function) if sticks => format!("{function} sticks"),
+            _ => written.clone(),
+        };
+        Event { time, condition, expression, on }
     }
 }
 
@@ -505,13 +517,15 @@ impl Equations {
                     if is_explicit && request.tolerance < STEP_AGAIN {
                         step_again(compiled, request, absolute, &stepped, t, &mut y);
                     }
+                    if compiled.held.stuck.contains(&index) {
+                        pass.events.push(compiled.event(t, index, true, false));
+                        compiled.give_way(index, t, &y);
+                        explicit.restart();
+                        implicit.restart();
+                        continue;
+                    }
                     if compiled.held.is_condition(index) {
-                        pass.events.push(Event {
-                            time: t,
-                            condition: index,
-                            expression: compiled.conditions[index].clone(),
-                            on: rising,
-                        });
+                        pass.events.push(compiled.event(t, index, false, rising));
                     }
                     if let Some(element) = compiled.infinite(index) {
                         let name = &self.graph.elements[element].name;
@@ -536,6 +550,11 @@ impl Equations {
                         let variables = compiled.variables(t, state, signals);
                         Place { time: t, state: state.to_vec(), variables }
                     };
+                    if compiled.stick(&[index], t, &y) {
+                        pass.events.push(compiled.event(t, index, true, true));
+                        explicit.restart();
+                        implicit.restart();
+                    }
                     let rises = rising && compiled.held.is_condition(index);
                     let just_before = (request.audit && rises).then(|| place(compiled, &y));
                     if rises && compiled.happen(index, t, &mut y) {

@@ -25,7 +25,7 @@ enum Operation {
     Atan2(u32, u32),
     /// The second where the switch is on, else the third.
     Choice(u32, u32, u32),
-    /// 1 or -1 by a switch.
+    /// 1 or -1 by a switch, between them while it sticks.
     Sign(u32),
     /// A curve or its derivative, within the window of a slot.
     Curve {
@@ -170,7 +170,7 @@ impl Tape {
                     Node::Quotient(a, b) => Operation::Quotient(at(a), at(b)),
                     Node::Power(a, b) if pool.value(b) == Some(2.0) => Operation::Square(at(a)),
                     Node::Power(a, b) => Operation::Power(at(a), at(b)),
-                    Node::Call(Function::Sign, a) => Operation::Sign(switches.of(a)),
+                    Node::Call(Function::Sign, a) => Operation::Sign(switches.of_sign(a)),
                     Node::Call(Function::Abs, a) => {
                         let minus = tape.push(Operation::Negative(at(a)));
                         Operation::Choice(switches.of(a), at(a), minus)
@@ -328,7 +328,7 @@ impl Tape {
                     *value = of(if held.on[switch.index()] { *a } else { *b });
                 }),
                 Kind::Sign => values.for_each(|(value, [.., switch])| {
-                    *value = if held.on[switch.index()] { 1.0 } else { -1.0 };
+                    *value = held.signs[switch.index()];
                 }),
                 Kind::Curve(derivative) => values.for_each(|(value, [a, _, slot])| {
                     *value = held.curve(slot.index() as u32, of(*a), derivative);

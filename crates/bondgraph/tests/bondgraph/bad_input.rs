@@ -167,20 +167,6 @@ fn a_run_that_cannot_go_on_says_where_and_keeps_its_samples() {
     assert!(!short.complete && short.ended.contains("evaluations"), "{}", short.ended);
 }
 
-#[test]
-fn dry_friction_is_located_and_a_condition_that_flutters_is_told() {
-    // Coulomb friction stops the shaft; there the sign switches to and fro, and the result says so.
-    let text = "name = \"brake\"\n[elements]\nshaft = { kind = \"1\", domain = \"rotation\" }\n\
-                disc = { kind = \"I\", inertia = \"2 kg m2\", flow = \"10 rad/s\" }\n\
-                rub = { kind = \"R\", effort = \"4 N m*sign(f)\" }\n\
-                [bonds]\nlist = [\"shaft > disc\", \"shaft > rub\"]\n[simulation]\nduration = \"8 s\"\n";
-    let found = equations(&Graph::read(text).unwrap_or_else(|m| panic!("{m:#?}"))).expect("no conflict");
-    let run = found.simulate(&found.request());
-    assert!(!run.complete && run.ended.contains("to and fro"), "{}", run.ended);
-    // It stands after J w / M = 5 s.
-    assert!((run.events[0].time - 5.0).abs() < 1e-9, "{:?}", run.events[0]);
-}
-
 /// Words of the shipped graphs, exchanged, dropped and doubled at random, with a generator of fixed seed: read, formulated,
 /// simulated with bounded work and exported, without panic.
 #[test]

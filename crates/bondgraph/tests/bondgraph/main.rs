@@ -4,6 +4,7 @@ mod bad_input;
 mod causality;
 mod codes;
 mod course;
+mod dry_friction;
 mod engine_events;
 mod engine_gas;
 mod event;

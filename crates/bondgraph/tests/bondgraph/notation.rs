@@ -10,7 +10,7 @@ macro_rules! shipped {
     };
 }
 
-const SHIPPED: [&str; 12] = shipped!(
+const SHIPPED: [&str; 13] = shipped!(
     "dc-motor",
     "double-pendulum",
     "double-pendulum-stiff",
@@ -21,6 +21,7 @@ const SHIPPED: [&str; 12] = shipped!(
     "single-cylinder",
     "slider-crank",
     "slider-crank-elastic",
+    "stick-slip",
     "torsion-chain",
     "two-tanks-turbulent"
 );

@@ -11,6 +11,7 @@ use lanchester::task::option;
 use lanchester::{CrossCheckRequest, crosscheck};
 
 pub fn run(arguments: &CrosscheckArguments, colour: bool) -> Result<u8, Failure> {
+    arguments.printed.check(arguments.format == Format::Text)?;
     let speed = arguments.speed.as_deref().map(|text| option::speed(text, "--speed")).transpose()?;
     if let Some(bar) = arguments.bar.filter(|bar| !(*bar > 0.0 && bar.is_finite())) {
         return Err(Failure::input(
@@ -35,10 +36,11 @@ pub fn run(arguments: &CrosscheckArguments, colour: bool) -> Result<u8, Failure>
     };
     let traces = trace_files(&opened.file.engine, &arguments.file)?;
     let check = crosscheck(&opened.file.engine, &traces, &request).map_err(Failure::refused)?;
-    print(&match arguments.format {
+    let said = match arguments.format {
         Format::Text => crosscheck_text(&check),
         Format::Json => json(&check)?,
         Format::Csv => crosscheck_csv(&check),
-    })?;
+    };
+    print(&arguments.printed.said(arguments.format, said))?;
     Ok(if check.agrees() { DONE } else { NOT_AS_EXPECTED })
 }

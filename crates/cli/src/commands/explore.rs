@@ -22,6 +22,7 @@ use lanchester_files::shown;
 use std::path::Path;
 
 pub fn run(arguments: &ExploreArguments, colour: bool) -> Result<u8, Failure> {
+    arguments.printed.check(arguments.format == Format::Text)?;
     let opened = open(&arguments.file, colour)?;
     let LayoutSearch { explorer, mut notes, told } = layout_search(&opened.file.engine, arguments)?;
     let explorer = match told.is_empty() {
@@ -73,7 +74,8 @@ pub fn run(arguments: &ExploreArguments, colour: bool) -> Result<u8, Failure> {
     if let Some(number) = arguments.adopt {
         adopt(&opened, arguments, &study.explorer, &answer, number, colour)?;
     }
-    print(&said(&answer, arguments.format, arguments.rows, arguments.ranking)?)?;
+    let answered = said(&answer, arguments.format, arguments.rows, arguments.ranking)?;
+    print(&arguments.printed.said(arguments.format, answered))?;
     Ok(if answer.front.is_empty() { NOT_AS_EXPECTED } else { DONE })
 }
 

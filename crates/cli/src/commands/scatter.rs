@@ -49,6 +49,7 @@ pub fn answer_of_samples(
 }
 
 pub fn run(arguments: &ScatterArguments, colour: bool) -> Result<u8, Failure> {
+    arguments.printed.check(arguments.format == Format::Text)?;
     let saved = request(arguments)?;
     let opened = open(&arguments.file, colour)?;
     arguments.run.set_threads();
@@ -67,7 +68,7 @@ pub fn run(arguments: &ScatterArguments, colour: bool) -> Result<u8, Failure> {
     if let Some(folder) = &arguments.figures {
         write_figures(folder, &arguments.file, &[scatter_figure(&answer)])?;
     }
-    print(&said(&answer, arguments.format)?)?;
+    print(&arguments.printed.said(arguments.format, said(&answer, arguments.format)?))?;
     // A part alone is not the production: its limits are judged where parts are merged.
     Ok(if arguments.run.part.is_some() { DONE } else { status(&answer) })
 }

@@ -14,6 +14,7 @@ use lanchester::task::option;
 use lanchester::{operating_point, sensitivity_amount};
 
 pub fn run(arguments: &SensitivityArguments, colour: bool) -> Result<u8, Failure> {
+    arguments.printed.check(arguments.format == Format::Text)?;
     let speed = arguments.speed.as_deref().map(|text| option::speed(text, "--speed")).transpose()?;
     let amounts =
         arguments.vary.iter().map(|text| sensitivity_amount(text, "--vary")).collect::<Result<_, _>>()?;
@@ -45,10 +46,11 @@ pub fn run(arguments: &SensitivityArguments, colour: bool) -> Result<u8, Failure
     if let Some(folder) = &arguments.figures {
         write_figures(folder, &arguments.file, &[tornado_figure(&found)])?;
     }
-    print(&match arguments.format {
+    let said = match arguments.format {
         Format::Text => sensitivity_text(&found),
         Format::Json => json(&found)?,
         Format::Csv => sensitivity_csv(&found),
-    })?;
+    };
+    print(&arguments.printed.said(arguments.format, said))?;
     Ok(DONE)
 }

@@ -1,6 +1,7 @@
 //! The command line of `lanchester counterweight`.
 
 use crate::format::Format;
+use crate::options::printed::PrintedArguments;
 use clap::{Args, Subcommand, ValueEnum};
 use lanchester::geometry::Objective;
 use std::path::PathBuf;
@@ -145,6 +146,9 @@ pub struct DesignArguments {
     /// Form of the output.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,
+    /// How text and CSV are printed.
+    #[command(flatten)]
+    pub printed: PrintedArguments,
 }
 
 /// How shapes are found.
@@ -183,6 +187,9 @@ pub struct FrontArguments {
     /// Form of the output.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,
+    /// How text and CSV are printed.
+    #[command(flatten)]
+    pub printed: PrintedArguments,
 }
 
 /// What is made small.
@@ -226,6 +233,9 @@ pub struct CounterweightCheckArguments {
     /// Form of the output.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,
+    /// How text and CSV are printed.
+    #[command(flatten)]
+    pub printed: PrintedArguments,
 }
 
 /// Tables of `counterweight check --format csv`.
@@ -304,6 +314,9 @@ pub struct ImportArguments {
     /// Form of the output.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,
+    /// How text and CSV are printed.
+    #[command(flatten)]
+    pub printed: PrintedArguments,
 }
 
 /// What an outline encloses.

@@ -18,7 +18,7 @@ pub struct DurableArguments {
     #[arg(long, alias = "maximize", value_name = "CRITERION", conflicts_with_all = ["robust", "search", "method"])]
     pub maximise: Vec<String>,
     /// Most engines whose films are computed for the local search.
-    #[arg(long, value_name = "N", default_value_t = 400, value_parser = clap::value_parser!(u32).range(1..))]
+    #[arg(long = "max-evaluations", alias = "most-evaluations", value_name = "N", default_value_t = 400, value_parser = clap::value_parser!(u32).range(1..))]
     pub most_evaluations: u32,
 }
 

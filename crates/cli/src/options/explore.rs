@@ -1,6 +1,7 @@
 //! The command line of `lanchester explore`.
 
 use crate::format::Format;
+use crate::options::printed::PrintedArguments;
 use crate::options::run::RunArguments;
 use clap::Args;
 use std::path::PathBuf;
@@ -32,7 +33,7 @@ pub struct ExploreArguments {
     #[arg(long, value_name = "CRITERION")]
     pub durability: Vec<String>,
     /// Most layouts whose films and safeties are computed.
-    #[arg(long, value_name = "N", default_value_t = 10_000)]
+    #[arg(long = "max-measured", alias = "most-measured", value_name = "N", default_value_t = 10_000)]
     pub most_measured: u64,
     /// Only layouts that fire evenly, within this angle if one is given.
     #[arg(long, value_name = "TOLERANCE", num_args = 0..=1, default_missing_value = "0 deg", require_equals = true)]
@@ -44,10 +45,10 @@ pub struct ExploreArguments {
     #[arg(long, value_name = "LENGTH")]
     pub pin_overlap: Option<String>,
     /// Most cases that are looked at; a larger space is refused with the choice that makes it so large.
-    #[arg(long, value_name = "N", default_value_t = 1_000_000_000_000)]
+    #[arg(long = "max-cases", alias = "most-cases", value_name = "N", default_value_t = 1_000_000_000_000)]
     pub most_cases: u64,
     /// Most layouts on the front.
-    #[arg(long, value_name = "N", default_value_t = 100_000)]
+    #[arg(long = "max-on-front", alias = "most-on-front", value_name = "N", default_value_t = 100_000)]
     pub most_on_front: usize,
     /// Values of an objective that differ by less than this share of what all masses could do together are equal.
     #[arg(long, value_name = "SHARE", default_value_t = 1e-9)]
@@ -76,6 +77,9 @@ pub struct ExploreArguments {
     /// Form of the output.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,
+    /// How text and CSV are printed.
+    #[command(flatten)]
+    pub printed: PrintedArguments,
 }
 
 /// What is free in `explore`, and sizes that the file does not give. A list is `60 deg, 90 deg`, a range `60 deg .. 120 deg by 15

@@ -1,6 +1,7 @@
 //! How texts and tables are printed.
 
 use crate::failure::Failure;
+use crate::format::Format;
 use clap::{Args, ValueEnum};
 use lanchester::report::{csv_in_us_units, text_in_us_units, words_before_tables};
 
@@ -14,6 +15,9 @@ pub struct PrintedArguments {
     #[arg(long, value_enum, default_value_t = Units::Si)]
     pub units: Units,
 }
+
+/// What stands between two tables of one CSV: behind the end of a line, an empty one.
+const BETWEEN_TABLES: &str = "\r\n\r\n";
 
 /// Systems of units.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -47,6 +51,18 @@ impl PrintedArguments {
     /// A text that says its answer before its tables: with `--brief` that alone.
     pub fn led(&self, text: String) -> String {
         self.words(if self.brief { words_before_tables(&text) } else { text })
+    }
+
+    /// An answer in its form: a text that says its answer before its tables, tables of CSV with an empty line between them, JSON as it is.
+    pub fn said(&self, format: Format, answer: String) -> String {
+        match format {
+            Format::Text => self.led(answer),
+            Format::Csv => {
+                let one = |table: &str| self.csv(table.trim_end_matches("\r\n").to_owned() + "\r\n");
+                answer.split(BETWEEN_TABLES).map(one).collect::<Vec<_>>().join("\r\n")
+            }
+            Format::Json => answer,
+        }
     }
 
     /// A text that has no brief form.

@@ -1,6 +1,7 @@
 //! The command line of `lanchester scatter`.
 
 use crate::format::Format;
+use crate::options::printed::PrintedArguments;
 use crate::options::run::RunArguments;
 use clap::Args;
 use std::path::PathBuf;
@@ -38,4 +39,7 @@ pub struct ScatterArguments {
     /// Form of the output.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,
+    /// How text and CSV are printed.
+    #[command(flatten)]
+    pub printed: PrintedArguments,
 }

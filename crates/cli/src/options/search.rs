@@ -24,7 +24,7 @@ pub struct SearchArguments {
     #[arg(long, value_name = "LENGTH", requires = "search")]
     pub mount_spacing: Option<String>,
     /// Most balance shafts, 0 to 4; default: 4.
-    #[arg(long, value_name = "N", requires = "search")]
+    #[arg(long = "max-shafts", alias = "most-shafts", value_name = "N", requires = "search")]
     pub most_shafts: Option<usize>,
     /// Orders that balance shafts may have, `1`, `2` or `1, 2`; default: both.
     #[arg(long, value_name = "ORDERS", requires = "search")]

@@ -1,6 +1,7 @@
 //! The command line of `lanchester sensitivity`.
 
 use crate::format::Format;
+use crate::options::printed::PrintedArguments;
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 
@@ -43,6 +44,9 @@ pub struct SensitivityArguments {
     /// Form of the output.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,
+    /// How text and CSV are printed.
+    #[command(flatten)]
+    pub printed: PrintedArguments,
 }
 
 /// What counterweights do while throws and masses vary.

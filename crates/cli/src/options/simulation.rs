@@ -144,6 +144,9 @@ pub struct CrosscheckArguments {
     /// Form of the output.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,
+    /// How text and CSV are printed.
+    #[command(flatten)]
+    pub printed: PrintedArguments,
 }
 
 /// Conditions of `crosscheck`.

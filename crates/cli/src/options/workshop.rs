@@ -8,6 +8,7 @@ pub use crank::{
 };
 
 use crate::format::Format;
+use crate::options::printed::PrintedArguments;
 use clap::{Args, Subcommand};
 use std::path::PathBuf;
 
@@ -109,6 +110,9 @@ pub struct AssignArguments {
     /// Form of the output.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,
+    /// How text and CSV are printed.
+    #[command(flatten)]
+    pub printed: PrintedArguments,
 }
 
 /// `workshop correct`
@@ -123,6 +127,9 @@ pub struct CorrectArguments {
     /// Form of the output.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,
+    /// How text and CSV are printed.
+    #[command(flatten)]
+    pub printed: PrintedArguments,
 }
 
 /// `workshop drill`
@@ -134,6 +141,9 @@ pub struct DrillArguments {
     /// Form of the output.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,
+    /// How text and CSV are printed.
+    #[command(flatten)]
+    pub printed: PrintedArguments,
 }
 
 /// `workshop grade`
@@ -145,4 +155,7 @@ pub struct GradeArguments {
     /// Form of the output.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,
+    /// How text and CSV are printed.
+    #[command(flatten)]
+    pub printed: PrintedArguments,
 }

@@ -45,7 +45,7 @@ pub fn arrangement_request(
     if let Some(most) = search.most_shafts {
         if most > 4 {
             return Err(Failure::input(
-                format_args!("--most-shafts needs 0 to 4, got {most}"),
+                format_args!("--max-shafts needs 0 to 4, got {most}"),
                 "more than one for each order and sense is no use: two of them act as one",
             ));
         }
@@ -213,7 +213,7 @@ fn orders(text: &str) -> Result<Vec<u32>, Failure> {
             _ => {
                 return Err(Failure::input(
                     format_args!("--shaft-orders needs 1, 2 or both, got `{text}`"),
-                    "for example --shaft-orders '1, 2'; without shafts: --most-shafts 0",
+                    "for example --shaft-orders '1, 2'; without shafts: --max-shafts 0",
                 ));
             }
         }

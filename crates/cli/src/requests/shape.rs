@@ -50,7 +50,7 @@ fn shape_task(file: &EngineFile, arguments: &ShapeArguments) -> Result<ShapeTask
         let Some(index) = DIMENSIONS.iter().position(|(known, _)| *known == name) else {
             let known = DIMENSIONS.map(|(known, _)| known).join("`, `");
             return Err(Failure::input(
-                format_args!("--dimension knows no `{name}`"),
+                format_args!("unknown dimension `{name}` for --dimension"),
                 format_args!("dimensions are `{known}`"),
             ));
         };
@@ -155,7 +155,7 @@ fn limit(limits: &mut DesignLimits, name: &str, value: &str) -> Result<(), Failu
         "shoulder height" => limits.shoulder_height = two(option::length)?,
         _ => {
             return Err(Failure::input(
-                format_args!("--limit knows no `{name}`"),
+                format_args!("unknown limit `{name}` for --limit"),
                 "limits are `mass`, `swept radius`, `inertia`, `half width`, `shoulder angle` and `shoulder height`; \
                  a dimension has its range from --dimension",
             ));

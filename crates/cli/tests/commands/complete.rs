@@ -27,7 +27,7 @@ const COMMANDS: [&[&str]; 14] = [
     &["counterweight", "check"],
     &["counterweight", "design"],
     &["stress", "rule"],
-    &["explore", "--most-cases", "20000"],
+    &["explore", "--max-cases", "20000"],
 ];
 
 /// The exit status and the words with which a command refuses an engine, where it cannot answer; the reason stands with each.

@@ -251,7 +251,7 @@ fn report_shows_the_optimum_where_the_file_asks() {
     let value: f64 = said.lines().nth(1).unwrap().split(',').nth(2).unwrap().parse().unwrap();
     let section = &asking[asking.find("<section id=\"optimum\"").unwrap()..];
     let section = &section[..section.find("</section>").unwrap()];
-    assert!(section.contains("The least that these devices allow") && section.contains("The proof"));
+    assert!(section.contains("The minimum achievable with these devices") && section.contains("The proof"));
     assert!(section.contains("First order: throws against all devices, at the optimum"));
     // As the page shows it: five digits.
     let digits = format!("{value:.0}");

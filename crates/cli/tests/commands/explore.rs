@@ -134,6 +134,8 @@ fn mistakes_of_a_search_are_told() {
         "the search space has about 10^65.7 cases, more than the 1000000000000 that may be looked at: the list of throw angles alone \
          makes about 10^58.8 of them",
     );
+    refused(&[&four, "--max-cases", "1000"], "the search space has 13824 cases, more than the 1000");
+    // The name that the option had before.
     refused(&[&four, "--most-cases", "1000"], "the search space has 13824 cases, more than the 1000");
     refused(&[&four, "--cylinders", "0"], "need a multiple of 1 cylinders, from 1 to 32, got 0");
     refused(&[&four, "--bank-angle", "90 deg", "--cylinders", "5"], "2 banks need a multiple of 2 cylinders");
@@ -156,7 +158,7 @@ fn mistakes_of_a_search_are_told() {
     refused(&[&four, "--bearing-room", "20 mm"], "the thickness of the webs is not known from in-line 4");
     refused(&[&four, "--pin-overlap", "5 mm"], "give --pin-diameter");
     refused(&[&four, "--without-firing", "--even-firing"], "needs the firing orders in the search space");
-    refused(&[&four, "--most-on-front", "3"], "more than 3 layouts are on the front");
+    refused(&[&four, "--max-on-front", "3"], "more than 3 layouts are on the front");
     refused(&[&four, "--adopt", "1000", "--output", "x.toml"], "the number of a layout, 1 to 44, got 1000");
     // What is no engine is counted, and an answer without a layout says why.
     let text = output(

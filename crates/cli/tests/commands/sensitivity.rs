@@ -54,7 +54,7 @@ fn mistakes_of_a_sensitivity_are_told() {
         let told = message(&folder, 2, &[&["sensitivity", &twin], arguments].concat());
         assert!(told.contains(said), "{told}");
     };
-    refused(&["--vary", "rod weight = 1 g"], "knows no quantity \"rod weight\"");
+    refused(&["--vary", "rod weight = 1 g"], "unknown quantity \"rod weight\"");
     refused(&["--vary", "rod length"], "needs a quantity and how far it goes");
     refused(&["--vary", "rod length = 1 kg"], "rod length");
     refused(&["--vary", "piston-pin offset = 10 %"], "no size of which a share could be taken");

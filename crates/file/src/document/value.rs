@@ -56,13 +56,17 @@ impl Walk<'_> {
         let all = lanchester_units::one_of(words.iter().copied());
         let shown: String = text.chars().take(60).collect();
         self.mistakes.push(
-            Mistake::error("E0109", item.span().range(), format!("`{}` knows no \"{shown}\"", key.name))
-                .label("unknown word")
-                .hint(match near {
-                    Some(near) => format!("did you mean \"{near}\"? it is one of {all}"),
-                    None if words.len() == 1 => format!("write \"{all}\""),
-                    None => format!("write one of {all}"),
-                }),
+            Mistake::error(
+                "E0109",
+                item.span().range(),
+                format!("unknown value \"{shown}\" for `{}`", key.name),
+            )
+            .label("unknown word")
+            .hint(match near {
+                Some(near) => format!("did you mean \"{near}\"? it is one of {all}"),
+                None if words.len() == 1 => format!("write \"{all}\""),
+                None => format!("write one of {all}"),
+            }),
         );
         None
     }

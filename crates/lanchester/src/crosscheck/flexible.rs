@@ -168,7 +168,7 @@ fn of_crankshaft(
         scale,
         reason,
     ));
-    let reason = "the crankshaft yields and vibrates: what it does beyond its stiffened self".to_owned();
+    let reason = "the crankshaft deflects and vibrates: what it does beyond its stiffened self".to_owned();
     rows.push(told(&named("mains, crankshaft as it is"), [&stiff, &real], &kept, scale, reason));
     Ok(Ok(rows))
 }

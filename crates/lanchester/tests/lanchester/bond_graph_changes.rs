@@ -25,6 +25,8 @@ struct Case {
     driveline: Vec<DrivelineInertia>,
     moves: bool,
     load: LoadLaw,
+    /// Dry friction of the crank train [N m].
+    friction: f64,
     revolutions: f64,
 }
 
@@ -43,6 +45,7 @@ impl Case {
             step: TAU / 12.0,
             tolerance: STEPS,
             load: Load { law: self.load.clone(), reacts_on: ReactsOn::Ground },
+            friction_torque: self.friction,
             governor: self.governor,
             events: self.events.clone(),
             driveline: self.driveline.clone(),
@@ -65,6 +68,7 @@ impl Case {
             crankshaft_inertia: vec![0.09; self.engine.crankshafts.len()],
             pressures: vec![pressure(); self.engine.cylinders.len()],
             load: EngineLoad { torque: self.load.clone(), reacts_on_block: false },
+            friction_torque: self.friction,
             governor: self.governor,
             events: self.events.clone(),
             driveline: self.driveline.iter().map(link).collect(),
@@ -112,6 +116,7 @@ fn xcheck_fuel_load_and_stop() {
         driveline: Vec::new(),
         moves: false,
         load: LoadLaw::Quadratic { torque: 25.0, at: 150.0 },
+        friction: 0.0,
         revolutions: 100.0,
     };
     let (theirs, ours) = case.check(&[ANGLE, SPEED]);
@@ -153,6 +158,7 @@ fn through_a_load_step(lag: f64) {
         driveline: Vec::new(),
         moves: false,
         load: LoadLaw::Constant(30.0),
+        friction: 0.0,
         revolutions: 60.0,
     };
     let (_, ours) = case.check(&[ANGLE, SPEED]);
@@ -192,6 +198,7 @@ fn xcheck_misfire_and_clutch() {
         ],
         moves: true,
         load: LoadLaw::Viscous { torque: 8.0, at: 150.0 },
+        friction: 0.0,
         revolutions: 8.0,
     };
     let (theirs, _) = case.check(&[
@@ -202,4 +209,60 @@ fn xcheck_misfire_and_clutch() {
         ("wz.flow", |run, k| run.samples.spin[k][2]),
     ]);
     assert_eq!(theirs.outcome, RunOutcome::Complete);
+}
+
+/// The fuel is cut: the crank swings to and fro on the last compression and stands, held by friction, load, or both.
+#[test]
+fn xcheck_standstill() {
+    for (load, friction) in
+        [(LoadLaw::Constant(15.0), 0.0), (LoadLaw::None, 12.0), (LoadLaw::Constant(9.0), 8.0)]
+    {
+        let case = Case {
+            engine: single(""),
+            governor: None,
+            events: vec![Event { when: When::Angle(2.0 * TAU), action: Action::Fuel(0.0) }],
+            driveline: Vec::new(),
+            moves: false,
+            load,
+            friction,
+            revolutions: 100.0,
+        };
+        let (theirs, ours) = case.check(&[ANGLE, SPEED]);
+        let RunOutcome::AtRest { theta, torque, held_by } = theirs.outcome else {
+            panic!("{:?}", theirs.outcome)
+        };
+        assert!(ours.complete, "{}", ours.ended);
+        let last =
+            |name: &str| ours.values(name).and_then(|values| values.last().copied()).unwrap_or(f64::NAN);
+        assert!((last("theta") - theta).abs() < AGREEMENT * theta, "{} {theta}", last("theta"));
+        // What holds it there is less than what both have to give.
+        let own = ["friction.effort", "load.effort"]
+            .map(last)
+            .into_iter()
+            .filter(|own| own.is_finite())
+            .sum::<f64>();
+        assert!((own - torque).abs() < 1e-6 * held_by && own.abs() < held_by, "{own} {torque} of {held_by}");
+    }
+}
+
+/// The same on mounts: the block goes on to swing while the crank stands in it.
+#[test]
+fn xcheck_standstill_in_a_block_that_moves() {
+    let case = Case {
+        engine: single(&(BLOCK.to_owned() + &mounts())),
+        governor: None,
+        events: vec![Event { when: When::Angle(2.0 * TAU), action: Action::Fuel(0.0) }],
+        driveline: Vec::new(),
+        moves: true,
+        load: LoadLaw::None,
+        friction: 12.0,
+        revolutions: 100.0,
+    };
+    let (theirs, ours) = case.check(&[ANGLE, SPEED]);
+    assert!(matches!(theirs.outcome, RunOutcome::AtRest { .. }), "{:?}", theirs.outcome);
+    assert!(
+        ours.complete && ours.events.iter().any(|event| event.expression == "crank.flow sticks"),
+        "{}",
+        ours.ended
+    );
 }

@@ -5,8 +5,9 @@
 
 use crate::inertia::result::{CylinderLoads, Diagnosis, Finding, Quantity, Remedy, Sense};
 use crate::wording::{adjective, amount, layout, ordinal, rpm, shaft_speed};
-use lanchester_model::Engine;
+use lanchester_model::{BalanceShaft, Engine};
 use lanchester_results::{LoadSet, OrderLoads};
+use num_complex::Complex64;
 
 /// Share of the scale below which a load is not worth a word.
 const THRESHOLD: f64 = 1e-3;
@@ -54,8 +55,12 @@ pub(crate) fn diagnose(
     cylinders: &[CylinderLoads],
 ) -> Diagnosis {
     let scales = Scales::of(engine, total, cylinders);
-    let mut findings: Vec<Finding> =
-        total.orders.iter().filter(|o| o.order > 0.0).flat_map(|o| findings(engine, speed, o)).collect();
+    let mut findings: Vec<Finding> = total
+        .orders
+        .iter()
+        .filter(|o| o.order > 0.0)
+        .flat_map(|o| findings(engine, speed, o, roll_of_cylinders(cylinders, o.order)))
+        .collect();
     let share = |f: &Finding| f.amplitude / scales.of_quantity(f.quantity);
     findings.retain(|f| share(f) > THRESHOLD);
     let pairs = pairs(&findings, &scales);
@@ -65,15 +70,39 @@ pub(crate) fn diagnose(
         let alone = |f: &Finding| if f.quantity == Quantity::RollMoment { -f.amplitude } else { 0.0 };
         place(a).cmp(&place(b)).then(alone(a).total_cmp(&alone(b)))
     });
-    let (summary, roll) = (summary(engine, speed, &pairs), roll(&findings));
+    let of_cylinders = |order| roll_of_cylinders(cylinders, order);
+    let (summary, roll) = (summary(engine, speed, &pairs), roll(engine, &findings, &of_cylinders));
     Diagnosis { findings, summary, roll }
 }
 
+/// Amplitude of the roll moment of all cylinders together at an order [N m].
+fn roll_of_cylinders(cylinders: &[CylinderLoads], order: f64) -> f64 {
+    let of_order =
+        |own: &CylinderLoads| own.loads.orders.iter().find(|o| o.order == order).map(|o| o.roll_moment);
+    cylinders.iter().filter_map(of_order).sum::<Complex64>().norm()
+}
+
+/// Whether a balance shaft with a lever about the crank axis turns at this order.
+fn has_shafts_off_the_axis(engine: &Engine, order: f64) -> bool {
+    let is_off = |shaft: &BalanceShaft| shaft.x != 0.0 || shaft.y != 0.0;
+    engine.shafts.iter().any(|shaft| is_off(shaft) && (shaft.ratio.value().abs() - order).abs() < 1e-12)
+}
+
 /// All loads of one order.
-fn findings(engine: &Engine, speed: f64, loads: &OrderLoads) -> [Finding; 5] {
+fn findings(engine: &Engine, speed: f64, loads: &OrderLoads, of_cylinders: f64) -> [Finding; 5] {
     let find = |quantity, sense, amplitude: f64| {
         let remedy = remedy(engine, quantity, loads.order, sense);
-        let text = sentence(engine, speed, quantity, loads.order, sense, amplitude, remedy);
+        let text = match remedy {
+            Remedy::RollDevice if has_shafts_off_the_axis(engine, loads.order) => format!(
+                "{} of {} roll moment at {} reacts on the block; the cylinders alone make {}, balance shafts off the crank axis the rest: their \
+                 places decide.",
+                amount(amplitude, quantity),
+                adjective(loads.order),
+                rpm(speed),
+                amount(of_cylinders, quantity)
+            ),
+            _ => sentence(engine, speed, quantity, loads.order, sense, amplitude, remedy),
+        };
         Finding { quantity, order: loads.order, sense, amplitude, remedy, text }
     };
     [
@@ -247,17 +276,27 @@ fn pairs(findings: &[Finding], scales: &Scales) -> Vec<Pair> {
 }
 
 /// The orders of the roll moment, the largest first; empty where none is worth a word.
-fn roll(findings: &[Finding]) -> String {
-    let orders: Vec<String> = findings
-        .iter()
-        .filter(|f| f.quantity == Quantity::RollMoment)
-        .take(MOST_ROLL_ORDERS)
-        .map(|f| format!("{} of {}", amount(f.amplitude, f.quantity), ordinal(f.order)))
-        .collect();
-    if orders.is_empty() {
+fn roll(engine: &Engine, findings: &[Finding], of_cylinders: &dyn Fn(f64) -> f64) -> String {
+    let largest: Vec<&Finding> =
+        findings.iter().filter(|f| f.quantity == Quantity::RollMoment).take(MOST_ROLL_ORDERS).collect();
+    if largest.is_empty() {
         return String::new();
     }
-    format!("Roll moment of the inertia: {}; crank weights and centred shafts leave it.", orders.join(", "))
+    let list = |size: &dyn Fn(&Finding) -> f64, of: &[&Finding]| {
+        let one = |f: &&Finding| format!("{} of {}", amount(size(f), f.quantity), ordinal(f.order));
+        of.iter().map(one).collect::<Vec<_>>().join(", ")
+    };
+    let orders = list(&|f| f.amplitude, &largest);
+    // Shafts with a lever about the crank axis make a roll moment of their own.
+    let off: Vec<&Finding> =
+        largest.iter().copied().filter(|f| has_shafts_off_the_axis(engine, f.order)).collect();
+    if off.is_empty() {
+        return format!("Roll moment of the inertia: {orders}; crank weights and centred shafts leave it.");
+    }
+    let alone = list(&|f| of_cylinders(f.order), &off);
+    format!(
+        "Roll moment of the inertia: {orders}. Balance shafts off the crank axis make a part of it; the cylinders alone: {alone}."
+    )
 }
 
 /// The whole in one or two sentences.

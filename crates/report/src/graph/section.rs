@@ -19,6 +19,8 @@ pub const BOND_GRAPH_VERSION: u32 = 1;
 
 /// Longest equation of a table, in letters.
 const LONGEST: usize = 240;
+/// State equations with more common parts than these are not written out.
+const MOST_PARTS: usize = 40;
 /// Curves of power in one plot.
 const CURVES: usize = 5;
 
@@ -53,6 +55,7 @@ pub fn bond_graph_section(result: &BondGraphResult) -> Section {
         .rows(picture(&result.drawing))
         .tables(causality_tables(result))
         .tables(equation_tables(result))
+        .paragraphs(not_written_out(&result.equations))
         .words(run_words(&result.run))
         .rows(curves(&result.run));
     match &result.run.audit {
@@ -127,10 +130,26 @@ fn causality_tables(result: &BondGraphResult) -> Vec<Table> {
     tables
 }
 
+/// Whether the state equations are too long for a report.
+fn is_long(shown: &ShownEquations) -> bool {
+    shown.common.len() > MOST_PARTS
+}
+
+/// That the state equations are left out, and how long they are.
+fn not_written_out(shown: &ShownEquations) -> Option<String> {
+    is_long(shown).then(|| {
+        format!(
+            "The {} state equations have {} parts in common and are not printed here: the equations of the graph, computed by themselves, have them all.",
+            shown.rates.len(),
+            shown.common.len()
+        )
+    })
+}
+
 /// Equations as text, and the same in LaTeX.
 type Pairs = Vec<(Equation, Equation)>;
 
-/// Laws of the elements that are drawn, junctions, and state equations; long ones are left out and counted.
+/// Laws of the elements that are drawn, junctions, and state equations where they can be read; long ones are left out and counted.
 fn equation_tables(result: &BondGraphResult) -> Vec<Table> {
     let (shown, formulas) = (&result.equations, &result.formulas);
     let kept = kept(&result.drawing);
@@ -140,7 +159,7 @@ fn equation_tables(result: &BondGraphResult) -> Vec<Table> {
         let both = texts.iter().cloned().zip(formulas.iter().cloned());
         both.filter(|(text, _)| is_kept(text)).collect()
     };
-    let all = |_: &Equation| true;
+    let all = |_: &Equation| !is_long(shown);
     let is_first = |equation: &Equation| !ends_with_other_number(&equation.of);
     [
         ("bond-graph-laws", "Laws of the elements", pairs(&shown.elements, &formulas.elements, &is_drawn)),

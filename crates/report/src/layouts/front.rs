@@ -181,7 +181,7 @@ fn table(id: &'static str, title: String, answer: &ExploreAnswer, layouts: &[Fou
         columns.push((Column::numbers(criterion.title(), unit), cells.collect()));
     }
     let alike = layouts.iter().map(|layout| number(layout.alike as f64)).collect();
-    columns.push((Column::numbers("alike", ""), alike));
+    columns.push((Column::numbers("equivalent", ""), alike));
     Table::of_columns(id, title, "", columns)
 }
 

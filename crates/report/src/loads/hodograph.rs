@@ -73,7 +73,7 @@ pub fn couple_hodograph(loads: &Loads, rotation: Rotation) -> Figure {
 }
 
 const READING: &str = "Dots every 30 degrees of the crank; the arrow shows where it starts and which way it runs. A circle turns evenly, \
-                       a line only swings.";
+                       a line is a planar load.";
 
 /// What a label must not cover: the curve and other labels.
 struct Room {

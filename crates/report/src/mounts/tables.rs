@@ -8,6 +8,7 @@ use lanchester_mechanism::{
     COORDINATES, DampedMode, MountMode, MountStudy, OrderResponse, SpeedResponse, vector_amplitude,
 };
 use num_complex::Complex64;
+use std::collections::BTreeSet;
 use std::f64::consts::TAU;
 
 /// Most rows of a table against speed.
@@ -75,7 +76,7 @@ pub fn mounts_at_rest_table(study: &MountStudy) -> Table {
     let mut columns = vec![words("mount", mounts.iter().map(|m| m.name.clone()))];
     for (j, name) in ["x", "y", "z"].into_iter().enumerate() {
         columns.push(numbers(
-            &format!("yields {name}"),
+            &format!("deflection {name}"),
             "mm",
             mounts.iter().map(|m| 1e3 * m.deflection[j]),
             4,
@@ -85,13 +86,13 @@ pub fn mounts_at_rest_table(study: &MountStudy) -> Table {
         columns.push(numbers(name, "N", mounts.iter().map(|m| m.force[j]), 5));
     }
     let size = |v: [f64; 3]| v.iter().map(|c| c * c).sum::<f64>().sqrt();
-    columns.push(numbers("of weight", "N", mounts.iter().map(|m| size(m.gravity)), 5));
-    columns.push(numbers("of torque", "N", mounts.iter().map(|m| size(m.torque)), 5));
+    columns.push(numbers("due to weight", "N", mounts.iter().map(|m| size(m.gravity)), 5));
+    columns.push(numbers("due to torque", "N", mounts.iter().map(|m| size(m.torque)), 5));
     Table::of_columns(
         "mounts-at-rest",
         "Mounts at rest",
-        "Under gravity, the mean torque of the driveline and preload: how far each mount yields, the force of the block on \
-         it, and the size of its shares of weight and torque.",
+        "Under gravity, the mean torque of the driveline and preload: the deflection of each mount, the force of the block on \
+         it, and the size of its shares due to weight and torque.",
         columns,
     )
 }
@@ -166,7 +167,7 @@ fn orders_table(study: &MountStudy, id: &'static str, (place, at): (usize, &Spee
     let cells = at.orders.iter().map(|o| ratio(o.force_transmissibility())).collect();
     columns.push((Column::numbers("force transmissibility", ""), cells));
     let cells = at.orders.iter().map(|o| ratio(o.moment_transmissibility())).collect();
-    columns.push((Column::numbers("passes moment", ""), cells));
+    columns.push((Column::numbers("moment transmissibility", ""), cells));
     let title = format!("Forces at the mounts by order at {} rpm", rpm(at));
     let note = "Amplitude of the force at each mount (major half axis of its ellipse); what all mounts together pass on over \
                 what excites the block. More than all of a force is passed on also where a moment is what excites.";
@@ -218,13 +219,17 @@ fn vanishing(at: &SpeedResponse, gone: &[usize]) -> String {
     }
 }
 
-/// Largest force at each mount over the cycle against speed.
+/// Largest force at each mount over the cycle against speed: speeds that are equally far apart, and those at which a mount has its largest force of all.
 pub fn mount_speeds_table(study: &MountStudy) -> Table {
     let all = &study.response.speeds;
     let last = all.len().saturating_sub(1);
     let rows = all.len().min(ROWS);
-    let chosen: Vec<&SpeedResponse> =
-        (0..rows).map(|k| &all[k * last / rows.saturating_sub(1).max(1)]).collect();
+    let mut places: BTreeSet<usize> = (0..rows).map(|k| k * last / rows.saturating_sub(1).max(1)).collect();
+    for mount in 0..study.response.mounts.len() {
+        let peak = |k: &usize| all[*k].peaks[mount].value;
+        places.extend((0..all.len()).max_by(|a, b| peak(a).total_cmp(&peak(b))));
+    }
+    let chosen: Vec<&SpeedResponse> = places.into_iter().map(|k| &all[k]).collect();
     let mut columns = vec![numbers("speed", "rpm", chosen.iter().map(|s| number::rpm(s.speed)), 4)];
     for (mount, name) in study.response.mounts.iter().enumerate() {
         columns.push(numbers(name, "N", chosen.iter().map(|s| s.peaks[mount].value), 5));
@@ -232,7 +237,7 @@ pub fn mount_speeds_table(study: &MountStudy) -> Table {
     Table::of_columns(
         "mount-speeds",
         "Largest forces at the mounts against speed",
-        "All orders together, over the continuous cycle.",
+        "All orders together, over the continuous cycle; the largest of each mount over all speeds among them.",
         columns,
     )
 }

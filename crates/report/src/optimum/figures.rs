@@ -60,11 +60,11 @@ fn optimum_plots(engine: &Engine, answer: &Answer, before: &Loads, after: &Loads
         title: "The optimum over the cycle".to_owned(),
         caption: match answer.cancellation {
             None => {
-                "Amount of the load as the file stands and with the answer. Dots: the crank angles that hold the \
+                "Amount of the load as given and with the answer. Dots: the crank angles that hold the \
                  optimum up; lowering the load at one of them raises it at another."
             }
             Some(_) => {
-                "Amount of the load as the file stands and with the answer, all orders together: those that were not \
+                "Amount of the load as given and with the answer, all orders together: those that were not \
                  to vanish stay."
             }
         }
@@ -103,7 +103,7 @@ fn panel(
         period: longer.period,
         series: vec![
             Series { name: "with the answer".to_owned(), style: 0, values: &new },
-            Series { name: "as the file stands".to_owned(), style: 2, values: &old },
+            Series { name: "as given".to_owned(), style: 2, values: &old },
         ],
     }
     .panel_with_marks(&marks)

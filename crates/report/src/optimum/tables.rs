@@ -120,12 +120,12 @@ fn left_out(answer: &Answer) -> String {
     if let (Some(most), false) = (full, crowded.is_empty()) {
         let devices = if most == 1 { "device" } else { "devices" };
         words.push(format!(
-            "Left out, because at most {most} optional {devices} may be used: {}.",
+            "Not used, because at most {most} optional {devices} may be used: {}.",
             names(&crowded)
         ));
     }
     if !better.is_empty() {
-        words.push(format!("Left out, because it is better without: {}.", names(&better)));
+        words.push(format!("Not used in the optimum: {}.", names(&better)));
     }
     words.join(" ")
 }

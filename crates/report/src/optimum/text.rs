@@ -103,7 +103,7 @@ pub fn headline(engine: &Engine, answer: &Answer) -> String {
             let given = answer.stages.iter().any(|stage| stage.give_up.is_some());
             let with = if given { " with what earlier stages give up" } else { "" };
             let (speeds, gap) = (speeds_words(engine, answer), gap_words(answer));
-            format!("The least that these devices allow{with}: {}.{speeds}{gap}", reached())
+            format!("The minimum achievable with these devices{with}: {}.{speeds}{gap}", reached())
         }
         Outcome::Infeasible { relaxation, closest, .. } => no_answer(engine, answer, *relaxation, closest),
         Outcome::Stopped { reason, .. } if answer.stages.is_empty() => {
@@ -181,7 +181,7 @@ fn reached_words(engine: &Engine, answer: &Answer, stage: &FoundStage) -> String
         let name = criterion_name(criterion, engine);
         match before {
             Some(before) => format!(
-                "{name} {} {unit} ({} {unit} as the file stands)",
+                "{name} {} {unit} ({} {unit} as given)",
                 number::short(value, 5),
                 number::short(before, 5)
             ),

@@ -280,7 +280,7 @@ fn leading_words(leading: &Leading, whole: f64) -> String {
     let sense = match leading.forward {
         share if share > 0.95 => "with the crank",
         share if share < 0.05 => "against the crank",
-        share if (share - 0.5).abs() < 0.05 => "both ways alike",
+        share if (share - 0.5).abs() < 0.05 => "the same with and against the crank",
         share if share > 0.5 => "more with the crank",
         _ => "more against the crank",
     };

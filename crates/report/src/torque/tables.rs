@@ -69,17 +69,17 @@ pub fn torque_extremes_table(torque: &Torque) -> Table {
     Table::of_columns(
         "torque-extremes",
         "Torque over the cycle",
-        "Excess: largest minus smallest accumulated energy of the torque less its mean, what a flywheel must hold. Absolute: integral of \
-         the torque's distance from its mean over its own period, the twin thesis's \u{201c}variation of energy\u{201d}.",
+        "Energy fluctuation: largest minus smallest accumulated energy of the torque less its mean, what a flywheel must hold. Absolute integral: of \
+         the torque's distance from its mean over its repeat period, the twin thesis's \u{201c}variation of energy\u{201d}.",
         vec![
             words("part", parts.iter().map(|p| p.0.to_owned())),
             numbers("highest", "N m", of(&|k| parts[k].1.max.value).into_iter(), 5),
             numbers("at", "deg", of(&|k| parts[k].1.max.theta.to_degrees()).into_iter(), 4),
             numbers("lowest", "N m", of(&|k| parts[k].1.min.value).into_iter(), 5),
             numbers("at", "deg", of(&|k| parts[k].1.min.theta.to_degrees()).into_iter(), 4),
-            (Column::numbers("excess", "J"), energy(|e| e.excess)),
-            (Column::numbers("absolute", "J"), energy(|e| e.absolute)),
-            (Column::numbers("own period", "deg"), energy(|e| e.own_period.to_degrees())),
+            (Column::numbers("energy fluctuation", "J"), energy(|e| e.excess)),
+            (Column::numbers("absolute integral", "J"), energy(|e| e.absolute)),
+            (Column::numbers("repeat period", "deg"), energy(|e| e.own_period.to_degrees())),
         ],
     )
 }
@@ -232,7 +232,7 @@ pub fn ripple_table(ripples: &[RippleOutcome]) -> Table {
             column("lowest", "rpm", |r| number::rpm(r.extremes.min.value), 6),
             column("C_s", "%", |r| 100.0 * r.fluctuation, 4),
             column("by formula", "%", |r| 100.0 * r.simple_fluctuation, 4),
-            column("excess", "J", |r| r.excess, 5),
+            column("energy fluctuation", "J", |r| r.excess, 5),
             column("inertia", "g m^2", |r| 1e3 * r.inertia.mean, 5),
             column("of it flywheel", "g m^2", |r| 1e3 * r.inertia.given.flywheel, 5),
             column("acceleration", "rad/s^2", |r| r.acceleration, 4),
@@ -293,7 +293,7 @@ pub fn torque_speeds_table(speeds: &[TorqueAtSpeed]) -> Table {
     Table::of_columns(
         "torque-speeds",
         "Torque and energy over speed",
-        "Net indicated. Excess: what a flywheel must hold. Absolute: integral of the torque's distance from its mean over its own period, the twin thesis's \
+        "Net indicated. Energy fluctuation: what a flywheel must hold. Absolute integral: of the torque's distance from its mean over its repeat period, the twin thesis's \
          \u{201c}variation of energy\u{201d}.",
         vec![
             column("speed", "rpm", |t| number::rpm(t.speed), 5),
@@ -303,9 +303,9 @@ pub fn torque_speeds_table(speeds: &[TorqueAtSpeed]) -> Table {
             column("peak", "bar", |t| t.indicated.peak_pressure / 1e5, 4),
             column("highest", "N m", |t| t.extremes.max.value, 4),
             column("lowest", "N m", |t| t.extremes.min.value, 4),
-            column("excess", "J", |t| t.energy.excess, 5),
-            column("absolute", "J", |t| t.energy.absolute, 5),
-            column("own period", "deg", |t| t.energy.own_period.to_degrees(), 4),
+            column("energy fluctuation", "J", |t| t.energy.excess, 5),
+            column("absolute integral", "J", |t| t.energy.absolute, 5),
+            column("repeat period", "deg", |t| t.energy.own_period.to_degrees(), 4),
         ],
     )
 }

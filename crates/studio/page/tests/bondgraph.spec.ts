@@ -1,6 +1,6 @@
 // The Bond graph tab: what a teacher does in a lesson.
 
-import { writeFile } from "node:fs/promises";
+import { readFile, writeFile } from "node:fs/promises";
 import { join } from "node:path";
 import { opened } from "./page";
 import { expect, test } from "./server";
@@ -82,6 +82,22 @@ duration = "4 s"
   await numbers.locator("label", { hasText: /^r/ }).getByRole("spinbutton").fill("8");
   await expect(real).toHaveText(/^[-\u2212]2\.0000$/);
   await expect(page.getByLabel("Text of the graph file")).toHaveValue(/r = "8 N s\/m"/);
+
+  // From the force to the speed: s/m over s^2 + r/m s + k/m.
+  const transfer = page.getByRole("region", { name: "Transfer functions" });
+  await expect(transfer.getByRole("row", { name: "mass.flow / hand" }).locator("mfrac")).toHaveText(
+    "0.5ss2+4s+100",
+  );
+  // A bond that is clicked shows its curves.
+  await drawing.getByRole("button", { name: /^Bond spring/ }).click();
+  await expect(page.getByRole("region", { name: "Curves" }).getByText("Effort of spring")).toBeVisible();
+  // The changed file can be taken away, and is what the editor shows.
+  const [saved] = await Promise.all([
+    page.waitForEvent("download"),
+    page.getByRole("region", { name: "Text" }).getByRole("button", { name: "Download" }).click(),
+  ]);
+  expect(saved.suggestedFilename()).toBe("lesson.toml");
+  expect(await readFile(await saved.path(), "utf8")).toContain('r = "8 N s/m"');
 });
 
 test("a graph that uses another and reads a table: all opened together", async ({ studio, page }) => {

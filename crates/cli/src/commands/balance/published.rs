@@ -39,7 +39,7 @@ pub fn asked_for(arguments: &BalanceArguments) -> Result<bool, Failure> {
         ("--limit", !arguments.limit.is_empty()),
         ("--cancel", !arguments.cancel.is_empty()),
         ("--counterweights", arguments.counterweights.is_some()),
-        ("--most", arguments.most.is_some()),
+        ("--max-unbalance", arguments.most.is_some()),
         ("--shaft", !arguments.shaft.is_empty()),
     ];
     let first = |given: &[(&'static str, bool)]| given.iter().find(|(_, on)| *on).map(|(name, _)| *name);

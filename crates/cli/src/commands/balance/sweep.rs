@@ -28,7 +28,7 @@ pub fn check(arguments: &BalanceArguments) -> Result<(), Failure> {
             ("--cancel", !arguments.cancel.is_empty()),
             ("--limit", !arguments.limit.is_empty()),
             ("--counterweights", arguments.counterweights.is_some()),
-            ("--most", arguments.most.is_some()),
+            ("--max-unbalance", arguments.most.is_some()),
             ("--shaft", !arguments.shaft.is_empty()),
             ("--table", arguments.table.is_some_and(|table| table != BalanceTable::Consequences)),
         ])

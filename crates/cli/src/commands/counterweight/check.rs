@@ -14,6 +14,7 @@ use lanchester::report::{
 use lanchester::{CounterweightCheck, check_counterweights, clearance_curve};
 
 pub fn run(arguments: &CounterweightCheckArguments, colour: bool) -> Result<u8, Failure> {
+    arguments.printed.check(arguments.format == Format::Text)?;
     if arguments.table.is_some() && arguments.format != Format::Csv {
         return Err(Failure::input(
             "--table chooses what --format csv writes",
@@ -29,11 +30,12 @@ pub fn run(arguments: &CounterweightCheckArguments, colour: bool) -> Result<u8, 
             write_result(&folder.join(format!("{}.svg", figure.id)), &arguments.file, &figure.svg())?;
         }
     }
-    print(&match arguments.format {
+    let said = match arguments.format {
         Format::Text => text(engine, &checked),
         Format::Json => json(&checked)?,
         Format::Csv => csv(engine, &checked, arguments.table)?,
-    })?;
+    };
+    print(&arguments.printed.said(arguments.format, said))?;
     Ok(if checked.is_kept { DONE } else { NOT_AS_EXPECTED })
 }
 

@@ -35,6 +35,7 @@ struct Found {
 }
 
 pub fn run(arguments: &DesignArguments, colour: bool) -> Result<u8, Failure> {
+    arguments.printed.check(arguments.format == Format::Text)?;
     let opened = open(&arguments.shape.file, colour)?;
     let engine = &opened.file.engine;
     let mut found = find(&opened.file, arguments)?;
@@ -54,11 +55,12 @@ pub fn run(arguments: &DesignArguments, colour: bool) -> Result<u8, Failure> {
             draw(&after, folder, &arguments.shape.file)?;
         }
     }
-    print(&match arguments.format {
+    let said = match arguments.format {
         Format::Text => found.text(engine),
         Format::Json => json(&found)?,
         Format::Csv => found.csv(engine),
-    })?;
+    };
+    print(&arguments.printed.said(arguments.format, said))?;
     Ok(status)
 }
 

@@ -16,6 +16,7 @@ use lanchester::{
 };
 
 pub fn run(arguments: &FrontArguments, colour: bool) -> Result<u8, Failure> {
+    arguments.printed.check(arguments.format == Format::Text)?;
     let opened = open(&arguments.shape.file, colour)?;
     let engine = &opened.file.engine;
     let file = &arguments.shape.file;
@@ -54,11 +55,12 @@ pub fn run(arguments: &FrontArguments, colour: bool) -> Result<u8, Failure> {
         }
     }
     let names = list(weights.iter().map(|index| engine.counterweights[*index].name.as_str()));
-    print(&match arguments.format {
+    let said = match arguments.format {
         Format::Text => text(&names, room_words(room.as_ref(), envelope.as_ref()), front),
         Format::Json => json(&found)?,
         Format::Csv => front_designs_table(front).csv(),
-    })?;
+    };
+    print(&arguments.printed.said(arguments.format, said))?;
     Ok(DONE)
 }
 

@@ -25,6 +25,7 @@ struct Imported<'a> {
 }
 
 pub fn run(arguments: &ImportArguments, colour: bool) -> Result<u8, Failure> {
+    arguments.printed.check(arguments.format == Format::Text)?;
     let opened = open(&arguments.file, colour)?;
     let engine = &opened.file.engine;
     let drawing = drawing(arguments)?;
@@ -53,7 +54,7 @@ pub fn run(arguments: &ImportArguments, colour: bool) -> Result<u8, Failure> {
     let Some(part) = fitted.and_then(|weight| weight.part.as_ref()) else { return Ok(DONE) };
     let properties = counterweight_properties(&after, part).map_err(Failure::refused)?;
     let imported = Imported { weight: &arguments.weight, part: &part.part, properties, left_out: ignored };
-    print(&match arguments.format {
+    let said = match arguments.format {
         Format::Text => text(&imported),
         Format::Json => json(&imported)?,
         Format::Csv => format!(
@@ -63,7 +64,8 @@ pub fn run(arguments: &ImportArguments, colour: bool) -> Result<u8, Failure> {
             properties.unbalance.norm(),
             part.part.outline().swept_radius()
         ),
-    })?;
+    };
+    print(&arguments.printed.said(arguments.format, said))?;
     Ok(DONE)
 }
 

@@ -10,6 +10,7 @@ use lanchester::study::scatter::{AssignmentRequest, WeighedRod, assign, standard
 use lanchester::task::option;
 
 pub fn run(arguments: &AssignArguments, colour: bool) -> Result<u8, Failure> {
+    arguments.printed.check(arguments.format == Format::Text)?;
     let pistons = masses(arguments.pistons.as_deref(), "--pistons")?;
     let big_ends = masses(arguments.big_ends.as_deref(), "--big-ends")?;
     let small_ends = masses(arguments.small_ends.as_deref(), "--small-ends")?;
@@ -41,11 +42,12 @@ pub fn run(arguments: &AssignArguments, colour: bool) -> Result<u8, Failure> {
     let lever = given.unwrap_or_else(|| standard_lever(&engine));
     let request = AssignmentRequest { speed, pistons, rods: rods.collect(), lever, engine };
     let found = assign(&request).map_err(Failure::refused)?;
-    print(&match arguments.format {
+    let said = match arguments.format {
         Format::Text => assignment_text(&request, &found),
         Format::Json => json(&found)?,
         Format::Csv => assignment_table(&request, &found).csv(),
-    })?;
+    };
+    print(&arguments.printed.said(arguments.format, said))?;
     Ok(DONE)
 }
 

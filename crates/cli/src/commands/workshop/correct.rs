@@ -11,6 +11,7 @@ use lanchester::report::workshop::{correction_tables, correction_text, vibration
 use lanchester::workshop::{NextStep, correction};
 
 pub fn run(arguments: &CorrectArguments, colour: bool) -> Result<u8, Failure> {
+    arguments.printed.check(arguments.format == Format::Text)?;
     let sheet = open(&arguments.sheet, colour)?;
     let correction = correction(&sheet).map_err(Failure::refused)?;
     if let Some(path) = &arguments.figure {
@@ -22,11 +23,12 @@ pub fn run(arguments: &CorrectArguments, colour: bool) -> Result<u8, Failure> {
         };
         write_result(path, &arguments.sheet, &figure.svg())?;
     }
-    print(&match arguments.format {
+    let said = match arguments.format {
         Format::Text => correction_text(&correction),
         Format::Json => json(&correction)?,
         Format::Csv => correction_tables(&correction).iter().map(Table::csv).collect::<Vec<_>>().join("\r\n"),
-    })?;
+    };
+    print(&arguments.printed.said(arguments.format, said))?;
     let unsettled = correction.next == NextStep::Settle;
     Ok(if correction.holds == Some(false) || unsettled { NOT_AS_EXPECTED } else { DONE })
 }

@@ -11,6 +11,7 @@ use lanchester::report::workshop::{crank_figure, crank_tables, crank_text};
 use lanchester::workshop::crank_unbalance;
 
 pub fn run(arguments: &CrankArguments, colour: bool) -> Result<u8, Failure> {
+    arguments.printed.check(arguments.format == Format::Text)?;
     let crank = crank(&arguments.crank, colour)?;
     let planes = crank.planes(arguments.planes.as_deref())?;
     let body = crank.body()?;
@@ -19,10 +20,11 @@ pub fn run(arguments: &CrankArguments, colour: bool) -> Result<u8, Failure> {
     if let Some(path) = &arguments.figure {
         write_result(path, &arguments.crank.engine, &crank_figure(&answer).svg())?;
     }
-    print(&match arguments.format {
+    let said = match arguments.format {
         Format::Text => crank_text(&answer),
         Format::Json => json(&answer)?,
         Format::Csv => crank_tables(&answer).iter().map(Table::csv).collect::<Vec<_>>().join("\r\n"),
-    })?;
+    };
+    print(&arguments.printed.said(arguments.format, said))?;
     Ok(DONE)
 }

@@ -11,12 +11,14 @@ use lanchester::report::workshop::{drilling_tables, drilling_text};
 use lanchester::workshop::drilling;
 
 pub fn run(arguments: &DrillArguments, colour: bool) -> Result<u8, Failure> {
+    arguments.printed.check(arguments.format == Format::Text)?;
     let sheet = open(&arguments.sheet, colour)?;
     let drilling = drilling(&sheet).map_err(Failure::refused)?;
-    print(&match arguments.format {
+    let said = match arguments.format {
         Format::Text => drilling_text(&drilling),
         Format::Json => json(&drilling)?,
         Format::Csv => drilling_tables(&drilling).iter().map(Table::csv).collect::<Vec<_>>().join("\r\n"),
-    })?;
+    };
+    print(&arguments.printed.said(arguments.format, said))?;
     Ok(if drilling.holds { DONE } else { NOT_AS_EXPECTED })
 }

@@ -12,6 +12,7 @@ use lanchester::task::option;
 use lanchester::workshop::{FactorRequest, factor_answer};
 
 pub fn run(arguments: &FactorArguments, colour: bool) -> Result<u8, Failure> {
+    arguments.printed.check(arguments.format == Format::Text)?;
     let request = FactorRequest {
         given: given_factor(&arguments.given)?,
         oil: match &arguments.oil {
@@ -34,10 +35,11 @@ pub fn run(arguments: &FactorArguments, colour: bool) -> Result<u8, Failure> {
         };
         write_result(path, &arguments.engine, &figure.svg())?;
     }
-    print(&match arguments.format {
+    let said = match arguments.format {
         Format::Text => factor_text(&answer),
         Format::Json => json(&answer)?,
         Format::Csv => factor_tables(&answer).iter().map(Table::csv).collect::<Vec<_>>().join("\r\n"),
-    })?;
+    };
+    print(&arguments.printed.said(arguments.format, said))?;
     Ok(DONE)
 }

@@ -1,6 +1,7 @@
 //! The commands of the workshop that are about a crank, its counterweights and its bobweights.
 
 use crate::format::Format;
+use crate::options::printed::PrintedArguments;
 use clap::Args;
 use std::path::PathBuf;
 
@@ -56,6 +57,9 @@ pub struct FactorArguments {
     /// Form of the output.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,
+    /// How text and CSV are printed.
+    #[command(flatten)]
+    pub printed: PrintedArguments,
 }
 
 /// `workshop bobweight`
@@ -67,6 +71,9 @@ pub struct BobweightArguments {
     /// Form of the output.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,
+    /// How text and CSV are printed.
+    #[command(flatten)]
+    pub printed: PrintedArguments,
 }
 
 /// A crank and its bobweights.
@@ -104,6 +111,9 @@ pub struct CrankArguments {
     /// Form of the output.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,
+    /// How text and CSV are printed.
+    #[command(flatten)]
+    pub printed: PrintedArguments,
 }
 
 /// `workshop external`
@@ -121,6 +131,9 @@ pub struct ExternalArguments {
     /// Form of the output.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,
+    /// How text and CSV are printed.
+    #[command(flatten)]
+    pub printed: PrintedArguments,
 }
 
 /// `workshop internal`
@@ -132,4 +145,7 @@ pub struct InternalArguments {
     /// Form of the output.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,
+    /// How text and CSV are printed.
+    #[command(flatten)]
+    pub printed: PrintedArguments,
 }

@@ -113,7 +113,7 @@ fn a_limit_that_nobody_reaches_is_told_and_nothing_is_written() {
 fn what_a_stage_gives_up_is_told_with_what_that_gains() {
     let folder = folder("balance-give-up");
     let file = template(&folder, "in-line-3");
-    let bounded = ["balance", &file, "--counterweights", "throws", "--most", "0.005 kg m"];
+    let bounded = ["balance", &file, "--counterweights", "throws", "--max-unbalance", "0.005 kg m"];
     let stages = ["--minimise", "couple", "--minimise", "main-bearing load rms"];
     let strict = output_json(&folder, 0, &[&bounded[..], &stages, &["--format", "json"]].concat());
     let give_up = ["--give-up", "couple = 5 %"];
@@ -143,7 +143,7 @@ fn weights_in_steps_and_equal_parts() {
     let folder = folder("balance-steps");
     let file = template(&folder, "in-line-3");
     let bounded = ["balance", &file, "--counterweights", "throws", "--minimise", "couple", "--gap", "1 %"];
-    let steps = ["--weight-step", "1000 g mm", "--most", "15000 g mm", "--format", "json"];
+    let steps = ["--weight-step", "1000 g mm", "--max-unbalance", "15000 g mm", "--format", "json"];
     let found = output_json(&folder, 0, &[&bounded[..], &steps].concat());
     for weight in found["weights"].as_array().unwrap() {
         let [x, y] = [0, 1].map(|k| weight["unbalance"][k].as_f64().unwrap());
@@ -156,7 +156,7 @@ fn weights_in_steps_and_equal_parts() {
         (vec!["--weight-step", "0 g mm"], "more than 0"),
         (vec!["--weight-step", "5 N"], "`--weight-step`"),
         (vec!["--equal-parts"], "has no effect"),
-        (vec!["--weight-step", "3 kg mm", "--most", "2 kg mm"], "larger than the largest amount"),
+        (vec!["--weight-step", "3 kg mm", "--max-unbalance", "2 kg mm"], "larger than the largest amount"),
     ] {
         let refused = message(&folder, 2, &[&bounded[..], &options].concat());
         assert!(refused.contains(says) && refused.contains("hint:"), "{options:?}: {refused}");
@@ -243,7 +243,7 @@ fn weights_for_a_production_of_engines() {
     }
     for (more, says) in [
         (["--limit", "couple = 0.001 N m"], "limits that can hold together"),
-        (["--least", "0.01 kg m"], "proved on every sample"),
+        (["--min-unbalance", "0.01 kg m"], "proved on every sample"),
         (["--worst-share", "0 %"], "above 0"),
         (["--worst-share", "x"], "--worst-share"),
         (["--format", "csv"], "no table"),
@@ -307,7 +307,7 @@ fn choices_are_searched_and_told() {
         &file,
         "--minimise",
         "force",
-        "--most-optional",
+        "--max-optional",
         "1",
         "--shaft",
         "-1 @ 0 mm, 50 mm .. 100 mm @ 0 mm @ optional, most 0.05 kg m",
@@ -320,7 +320,8 @@ fn choices_are_searched_and_told() {
     assert_eq!(json["method"]["kind"], "branch-and-bound");
     let used = |k: usize| json["shafts"][k]["used"].as_bool().unwrap();
     assert!(used(0) && !used(1), "{json}");
-    let least = output_json(&folder, 0, &["balance", &file, "--least", "0.05 kg m", "--format", "json"]);
+    let least =
+        output_json(&folder, 0, &["balance", &file, "--min-unbalance", "0.05 kg m", "--format", "json"]);
     let amount = |weight: &serde_json::Value| {
         let part = |k: usize| weight["unbalance"][k].as_f64().unwrap();
         part(0).hypot(part(1))
@@ -387,9 +388,9 @@ fn cancellation_with_choices_says_what_is_in_the_way() {
             "axis to be found",
             "one place",
         ),
-        (&["--shaft", shaft, "--least", "0.01 kg m"], "a least amount", "leave out"),
+        (&["--shaft", shaft, "--min-unbalance", "0.01 kg m"], "a least amount", "leave out"),
         (
-            &["--shaft", "-1 @ 0 mm, 100 mm @ 0 mm @ optional, most 0.1 kg m", "--most-optional", "1"],
+            &["--shaft", "-1 @ 0 mm, 100 mm @ 0 mm @ optional, most 0.1 kg m", "--max-optional", "1"],
             "number of optional devices",
             "leave out",
         ),
@@ -423,11 +424,11 @@ fn wrong_wishes_say_what_is_needed() {
         (&["--limit", "force = 3 kg"], "N"),
         (&["--shaft", "-1"], "@"),
         (&["--shaft", "0 @ 0 mm, 0 mm @ 0 mm"], "0"),
-        (&["--most", "-3 g mm"], "-3 g mm"),
+        (&["--max-unbalance", "-3 g mm"], "-3 g mm"),
         (&["--shaft", "-1 @ 0 mm, 50 mm .. 90 mm @ 0 mm"], "largest"),
         (&["--shaft", "-1 @ 0 mm, 90 mm .. 50 mm @ 0 mm @ most 0.01 kg m"], "smaller"),
         (&["--shaft", "-1 @ 0 mm, 90 mm @ 0 mm @ maybe"], "optional"),
-        (&["--most-optional", "1"], "nothing is optional"),
+        (&["--max-optional", "1"], "nothing is optional"),
         (&["--optional"], "most"),
         (&["--minimise", "mount force 7"], "mount"),
         (&["--table", "weights"], "--format csv"),

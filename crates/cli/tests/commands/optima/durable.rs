@@ -31,7 +31,7 @@ fn balance_tells_films_and_moves_weights_for_them() {
     let text = output(&folder, 0, &["balance", "four.toml", "--at-least", &holds]);
     assert!(text.contains("proof holds for the limited problem too"), "{text}");
     let not = format!("main-bearing film = {} um", 20e6 * least);
-    let text = output(&folder, 1, &["balance", "four.toml", "--at-least", &not, "--most-evaluations", "10"]);
+    let text = output(&folder, 1, &["balance", "four.toml", "--at-least", &not, "--max-evaluations", "10"]);
     assert!(text.contains("NOT MET") && text.contains("No global optimum is claimed"), "{text}");
     let text = output(&folder, 1, &["balance", "four.toml", "--at-least", "rule safety = 9"]);
     assert!(text.contains("no unbalance on a crankshaft changes it"), "{text}");

@@ -117,12 +117,12 @@ fn a_search_takes_out_what_an_earlier_one_wrote() {
 fn a_limit_out_of_reach_is_status_1_and_tells_how_close_the_best_comes() {
     let folder = engines("search-limit");
     let few = ["balance", "boxer.toml", "--search", "--minimise", "couple", "--limit", "couple = 1 N m"];
-    let text = output(&folder, 1, &[&few[..], &["--most-shafts", "0"]].concat());
+    let text = output(&folder, 1, &[&few[..], &["--max-shafts", "0"]].concat());
     assert!(
         text.contains("nothing reaches 1.0 N m: the best, crank weights") && text.contains("523 times"),
         "{text}"
     );
-    let csv = [&few[..], &["--most-shafts", "0", "--format", "csv"]].concat();
+    let csv = [&few[..], &["--max-shafts", "0", "--format", "csv"]].concat();
     let beside = lanchester(&folder, &csv);
     assert_eq!(beside.status.code(), Some(1));
     assert!(
@@ -144,7 +144,7 @@ fn what_has_no_meaning_is_refused_with_what_to_do() {
         (boxer(&["--spacing", ""]), "needs a length with its unit"),
         (boxer(&["--minimise", "couple", "--limit", "couple = 0 N m"]), "must be above 0"),
         (boxer(&["--limit", "added mass = 1 kg"]), "no limit on the added mass"),
-        (boxer(&["--most-shafts", "9"]), "needs 0 to 4, got 9"),
+        (boxer(&["--max-shafts", "9"]), "needs 0 to 4, got 9"),
         (boxer(&["--shaft-orders", "3"]), "needs 1, 2 or both"),
         (boxer(&["--place", "-120 mm"]), "needs a point x, y or a box"),
         (boxer(&["--place", "-90 mm .. -300 mm, 0 mm .. 0 mm"]), "smaller to the larger"),

@@ -12,9 +12,9 @@ const LONG: [&str; 9] = [
     "v8.toml",
     "--counterweights",
     "webs",
-    "--least",
+    "--min-unbalance",
     "0.05 kg m",
-    "--most",
+    "--max-unbalance",
     "0.05 kg m",
     "--minimise=main-bearing load rms",
 ];
@@ -134,7 +134,7 @@ fn a_weighted_sum_is_no_row_of_stages() {
         "balance",
         "twin.toml",
         "--counterweights=throws",
-        "--most=0.004 kg m",
+        "--max-unbalance=0.004 kg m",
         "--minimise=force = 3 kN, couple = 200 N m",
     ];
     let said = output(&folder, 0, &sum);
@@ -168,7 +168,8 @@ fn a_weighted_sum_is_no_row_of_stages() {
 
     // One weight alone: there is no other to cancel what it has too much.
     engine(&folder, "single", "single.toml");
-    let least = ["balance", "single.toml", "--counterweights=throws", "--minimise=force", "--least=0.2 kg m"];
+    let least =
+        ["balance", "single.toml", "--counterweights=throws", "--minimise=force", "--min-unbalance=0.2 kg m"];
     let said = output(&folder, 0, &least);
     assert!(said.contains("least amount of `throw 1`") && said.contains("at least"), "{said}");
     assert!(said.contains("N per kg m"), "{said}");

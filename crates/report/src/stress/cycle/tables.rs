@@ -252,7 +252,8 @@ impl CrankCycle {
         words.push(match self.motion {
             CycleSpeed::Constant => "The flywheel turns at constant speed.".to_owned(),
             CycleSpeed::Free => {
-                "The flywheel turns as gas, inertia and a constant load make it: its speed swings.".to_owned()
+                "The flywheel turns as gas, inertia and a constant load make it: its speed fluctuates."
+                    .to_owned()
             }
         });
         words.extend(self.sheet.words());

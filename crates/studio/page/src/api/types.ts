@@ -294,7 +294,7 @@ export type BalanceQuestion = {
   gap: string | null;
   /** What stages give up for those after them, as `--give-up` takes it. */
   give_up: string[];
-  /** Least unbalance of every free weight on a crankshaft that is used, as `--least` takes it. */
+  /** Least unbalance of every free weight on a crankshaft that is used, as `--min-unbalance` takes it. */
   least: string | null;
   /** Limits as `--limit` takes them. */
   limits: string[];
@@ -306,7 +306,7 @@ export type BalanceQuestion = {
   maximise: string[];
   /** Criteria in their order, as `--minimise` takes them; none: force, then couple. */
   minimise: string[];
-  /** Largest unbalance of every free weight on a crankshaft, as `--most` takes it. */
+  /** Largest unbalance of every free weight on a crankshaft, as `--max-unbalance` takes it. */
   most: string | null;
   /** Engines drawn within the tolerances of the file, the worst of which is minimised, as `--robust` takes it. */
   robust: number | null;

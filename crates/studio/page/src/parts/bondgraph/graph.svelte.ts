@@ -9,6 +9,8 @@ class GraphFile {
   notes = $state.raw<string[]>([]);
   /** Texts of other graphs and tables that were opened beside it, by their names. */
   parts = $state.raw<Record<string, string>>({});
+  /** The bond whose curves are seen; empty: the one that carries the most. */
+  bond = $state("");
   /** Place of the cursor among the samples, from 0 to 1. */
   cursor = $state(0);
 
@@ -18,6 +20,7 @@ class GraphFile {
     this.notes = notes;
     this.parts = parts;
     this.cursor = 0;
+    this.bond = "";
   }
 }
 
