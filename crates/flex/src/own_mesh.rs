@@ -135,7 +135,15 @@ pub fn own_mesh(text: &str, plan: &OwnMeshPlan) -> Result<CrankMesh, FlexError> 
     }
     let corners = corners(&mesh, &faces);
     let body_mass = plan.mass.unwrap_or(0.0);
-    Ok(CrankMesh { mesh, quality, corners, webs: Vec::new(), body_mass, left_out: Vec::new() })
+    Ok(CrankMesh {
+        mesh,
+        quality,
+        corners,
+        webs: Vec::new(),
+        weights: Vec::new(),
+        body_mass,
+        left_out: Vec::new(),
+    })
 }
 
 /// What is wrong with the units, by the mass.

@@ -247,7 +247,7 @@ impl<'a> StaticSystem<'a> {
         }
     }
 
-    /// Forces on all unknowns: those of the case, and its centrifugal field `W^2 M (x, y, 0)`.
+    /// Forces on all unknowns: those of the case, and its centrifugal field `W^2 M (x, y, 0)` with the weights that the body carries.
     fn load(&self, case: &StaticCase) -> Result<Vec<f64>, FlexError> {
         let mut load = vec![0.0; self.full.size()];
         for force in &case.forces {
@@ -270,13 +270,18 @@ impl<'a> StaticSystem<'a> {
     }
 }
 
-/// Adds the centrifugal field `W^2 M (x, y, 0)`.
+/// Adds the centrifugal field `W^2 M (x, y, 0)` and the forces of the weights that the body carries.
 fn add_centrifugal(mesh: &Mesh, structure: &Structure, mass: &SymmetricMatrix, speed: f64, load: &mut [f64]) {
     let places: Vec<[f64; 3]> = mesh.nodes.iter().map(|[x, y, _]| [*x, *y, 0.0]).collect();
     let mut field = vec![0.0; load.len()];
     mass.multiply(&structure.gather(&places), &mut field);
     for (load, field) in load.iter_mut().zip(field) {
         *load += speed * speed * field;
+    }
+    for (node, force) in mesh.weights.iter().flat_map(|weight| &weight.forces) {
+        for axis in 0..3 {
+            load[structure.unknown(*node, axis)] += speed * speed * force[axis];
+        }
     }
 }
 

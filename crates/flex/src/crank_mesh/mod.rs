@@ -6,6 +6,7 @@
 //! * The sharp corner at a face is pulled onto the torus of the fillet, and the body with it (eq. 43.9).
 
 mod bay;
+mod carried;
 mod chords;
 mod circles;
 mod extrude;

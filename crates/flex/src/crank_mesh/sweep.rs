@@ -1,6 +1,7 @@
 //! From the elements of a crankshaft to its mesh.
 
 use super::bay::bay;
+use super::carried::carried_weights;
 use super::chords::Chords;
 use super::circles::arrangement;
 use super::extrude::Sweep;
@@ -14,7 +15,7 @@ use super::rings::rings;
 use super::segment::{Bar, Segment, Stack, TINY, check_fillets, refuse, segments};
 use super::slugs::slugs;
 use super::stack::{Core, StackNet, reaches_over, solids, stack_net};
-use crate::mesh::{Mesh, MeshQuality, NodeSet, quality};
+use crate::mesh::{CarriedWeight, Mesh, MeshQuality, NodeSet, quality};
 use crate::{FlexError, LEAST_JACOBIAN, Material};
 use lanchester_geometry::crankshaft::CrankshaftBody;
 use lanchester_model::{CrankElement, Engine};
@@ -86,6 +87,8 @@ pub struct CrankMesh {
     pub corners: Vec<FilletPlace>,
     /// Its webs, along z.
     pub webs: Vec<WebPlace>,
+    /// Counterweights without a shape: their centrifugal forces load the mesh, their masses are not in it.
+    pub weights: Vec<CarriedWeight>,
     /// Mass of the body that is meshed, without fillets; of its nose and flange too, which are not; of a bay that of the whole crankshaft [kg].
     pub body_mass: f64,
     /// What of the crankshaft is not meshed, or not as it is.
@@ -130,22 +133,6 @@ pub fn crank_mesh_of_bay(
     mesh_of(engine, index, options, Some(pin))
 }
 
-/// Counterweights of a crankshaft that have no shape, which no mesh has.
-fn shapeless(engine: &Engine, index: usize) -> Option<String> {
-    let own = engine
-        .counterweights
-        .iter()
-        .filter(|weight| weight.crankshaft == index && weight.part.is_none() && weight.unbalance > 0.0);
-    let (count, sum) = own.fold((0, 0.0), |(count, sum), weight| (count + 1, sum + weight.unbalance));
-    (count > 0).then(|| {
-        format!(
-            "{count} counterweight{} without a shape, of {:.0} g mm together (their mass and centrifugal forces are missing; give them as parts)",
-            if count == 1 { "" } else { "s" },
-            1e6 * sum
-        )
-    })
-}
-
 fn mesh_of(
     engine: &Engine,
     index: usize,
@@ -179,9 +166,6 @@ fn mesh_of(
             "elastic constants of inserts (those of the crankshaft, with the density of the insert)"
                 .to_owned(),
         );
-    }
-    if pin.is_none() {
-        left_out.extend(shapeless(engine, index));
     }
     let mut sweep = Sweep {
         middles: middles(&circles.chords),
@@ -254,7 +238,9 @@ fn mesh_of(
         let (element, at) = (quality.worst_element, quality.worst_place);
         return Err(misshapen(&bars, element, at, quality.least_jacobian, LEAST_JACOBIAN));
     }
-    Ok(CrankMesh { mesh, quality, corners, webs, body_mass: body.mass.mass, left_out })
+    mesh.weights = carried_weights(&mesh, engine, index, &elements);
+    let weights = mesh.weights.clone();
+    Ok(CrankMesh { mesh, quality, corners, webs, weights, body_mass: body.mass.mass, left_out })
 }
 
 /// Refuses elements of which the body would have too many, before any is made.

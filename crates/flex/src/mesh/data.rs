@@ -1,5 +1,6 @@
 //! Nodes, elements, materials, sets.
 
+use super::weight::CarriedWeight;
 use crate::element::ElementKind;
 use crate::{FlexError, Material};
 use serde::{Deserialize, Serialize};
@@ -35,6 +36,9 @@ pub struct Mesh {
     pub materials: Vec<Material>,
     /// Sets of nodes.
     pub sets: Vec<NodeSet>,
+    /// Weights without elements of their own, whose centrifugal forces load the body where it turns.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub weights: Vec<CarriedWeight>,
 }
 
 impl Mesh {
@@ -95,6 +99,10 @@ impl Mesh {
             if let Some(node) = set.nodes.iter().find(|node| **node as usize >= self.nodes.len()) {
                 return missing("node", *node, "each node of a set must be there");
             }
+        }
+        let carrying = self.weights.iter().flat_map(|weight| weight.forces.iter().map(|(node, _)| *node));
+        if let Some(node) = carrying.into_iter().find(|node| *node as usize >= self.nodes.len()) {
+            return missing("node", node, "each node that carries a weight must be there");
         }
         if let Some(node) = used.iter().position(|used| !used) {
             return Err(FlexError::FreeNode { node: node + 1 });

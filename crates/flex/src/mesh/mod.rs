@@ -6,6 +6,7 @@ mod jacobian;
 mod places;
 mod quality;
 mod surface;
+mod weight;
 
 pub use blocks::mapped_block;
 pub use data::{Element, Mesh, NodeSet};
@@ -13,3 +14,4 @@ pub use places::PlaceInMesh;
 pub use quality::{LEAST_JACOBIAN, MeshQuality, quality};
 pub(crate) use surface::face_points;
 pub use surface::{SignedArea, SurfaceFace, signed_areas, surface, surface_areas};
+pub use weight::CarriedWeight;

@@ -259,6 +259,16 @@ pub(crate) fn project(
         mass.multiply(&structure.gather(&field), &mut image);
         vectors.iter().map(|vector| dot(vector, &image)).collect()
     };
+    let mut carried = vec![0.0; full];
+    for (node, force) in mesh.weights.iter().flat_map(|weight| &weight.forces) {
+        for axis in 0..3 {
+            carried[structure.unknown(*node, axis)] += force[axis];
+        }
+    }
+    let mut centrifugal_load = against(mesh.nodes.iter().map(|[x, y, _]| [*x, *y, 0.0]).collect());
+    for (load, vector) in centrifugal_load.iter_mut().zip(vectors) {
+        *load += dot(vector, &carried);
+    }
     ReducedModel {
         points: interfaces.iter().map(|interface| (interface.name.clone(), interface.point)).collect(),
         frequencies,
@@ -266,7 +276,7 @@ pub(crate) fn project(
         mass: m,
         gyroscopic: g,
         centrifugal: n,
-        centrifugal_load: against(mesh.nodes.iter().map(|[x, y, _]| [*x, *y, 0.0]).collect()),
+        centrifugal_load,
         euler_load: against(mesh.nodes.iter().map(|[x, y, _]| [-y, *x, 0.0]).collect()),
     }
 }

@@ -97,7 +97,7 @@ impl StressBasis {
             nodes: crank.mesh.nodes.clone(),
             elements: crank.mesh.elements.iter().filter(touches).cloned().collect(),
             materials: crank.mesh.materials.clone(),
-            sets: Vec::new(),
+            ..Mesh::default()
         };
         let mut states: Vec<Vec<[f64; 6]>> = nodes.iter().map(|_| Vec::new()).collect();
         let scaled =

@@ -4,6 +4,7 @@
 
 mod calculix;
 mod calculix_crank;
+mod carried;
 mod crank;
 mod crank_circles;
 mod crank_kinds;

@@ -42,7 +42,15 @@ fn shaft() -> CrankMesh {
     mesh.sets.push(NodeSet { name: "FLYWHEEL".to_owned(), nodes: end });
     let quality = quality(&mesh).unwrap();
     let body_mass = quality.mass;
-    CrankMesh { mesh, quality, corners: Vec::new(), webs: Vec::new(), body_mass, left_out: Vec::new() }
+    CrankMesh {
+        mesh,
+        quality,
+        corners: Vec::new(),
+        webs: Vec::new(),
+        weights: Vec::new(),
+        body_mass,
+        left_out: Vec::new(),
+    }
 }
 
 fn body() -> &'static (CrankBody, Vec<f64>) {

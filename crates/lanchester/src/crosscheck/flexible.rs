@@ -160,7 +160,7 @@ fn of_crankshaft(
         rows.push(told(&named("mains, share by stiffness"), [&of_rods, &by_rods], &kept, scale, reason));
     }
     let own = difference(&all, &of_rods);
-    let reason = "nose, flange, chamfers and counterweights without a shape are in no mesh".to_owned();
+    let reason = "nose, flange and chamfers are in no mesh".to_owned();
     rows.push(told(
         &named("mains, centrifugal loads of the crankshaft"),
         [&own, &alone],

@@ -2,14 +2,16 @@
 
 use lanchester::flex::crank_mesh::CrankMeshOptions;
 use lanchester::flex::train::{BasisOptions, CycleOutcome};
-use lanchester::mechanism::{OuterTorque, RippleOutcome, speed_ripple};
+use lanchester::mechanism::{
+    BearingPart, BearingRequest, OuterTorque, RippleOutcome, bearing_loads, speed_ripple,
+};
 use lanchester::model::Engine;
 use lanchester::report::{
     Condition, CrankCycle, CrankKind, CrossVerdict, CycleLaw, CycleSpeed, crank_cycle_figures, cycle_csv,
 };
 use lanchester::{
-    CrossCheckRequest, CycleRequest, CycleStage, StressMesh, crank_cycle, crosscheck, cylinder_gas,
-    rotating_bodies,
+    CrossCheckRequest, CycleRequest, CycleStage, StaticRequest, StressLoad, StressMesh, crank_cycle,
+    crosscheck, cylinder_gas, rotating_bodies, static_stress,
 };
 use std::f64::consts::PI;
 
@@ -133,6 +135,47 @@ fn a_rigid_crankshaft_has_the_loads_of_the_simulation_and_the_films_of_its_own_k
     assert!(rows.iter().all(|(_, row)| row.len() + 1 == heads.len()));
     assert_eq!(crank_cycle_figures(&found).len(), 4);
     assert!(cycle_csv(&found).contains("pin 1 at web 1,von Mises"));
+}
+
+/// Counterweights without a shape load the mains as in the closed form: on a web, in the plane of the throw, and at the flywheel.
+#[test]
+fn counterweights_without_a_shape_load_the_mains_as_in_the_closed_form() {
+    let weights = "[[counterweight]]\nweb = 1\nunbalance = \"0.02 kg m\"\n[[counterweight]]\nthrow = 1\nangle = \"150 deg\"\nunbalance = \"0.01 kg m\"\n\
+                   [[counterweight]]\nname = \"flywheel\"\nz = \"75 mm\"\nangle = \"60 deg\"\nunbalance = \"0.004 kg m\"\n";
+    let engine = lanchester::file::read(&format!("{FILE}{weights}")).engine().unwrap();
+    let asked = CycleRequest { gas: false, ..request(&[CycleLaw::Rigid]) };
+    let found = crank_cycle(&engine, &[], &asked, &|_| true).unwrap();
+    assert_eq!(found.sheet.crank.weights.len(), 3);
+    let rules = found.rules.as_ref().unwrap();
+    let rigid = run(&found, CycleLaw::Rigid, CrankKind::Rigid);
+    for main in 0..2 {
+        let theirs = &rules.loads[main][0];
+        let ours = &rigid.bearings[main].load;
+        let apart: Vec<[f64; 2]> = ours.iter().zip(theirs).map(|(a, b)| [a[0] - b[0], a[1] - b[1]]).collect();
+        assert!((largest(&apart) / load_of_fillets() - 1.0).abs() < 0.02, "{main}: {}", largest(&apart));
+    }
+    // Static cases: all supports together carry what all mains carry.
+    let speed = engine.speed.highest;
+    let inertia = BearingRequest {
+        speed: Some(speed),
+        part: BearingPart::Inertia,
+        samples: 72,
+        ..BearingRequest::default()
+    };
+    let closed = bearing_loads(&engine, None, &inertia).unwrap();
+    let samples = [5, 33, 58];
+    let load = StressLoad::Angles(samples.map(|k| closed.theta[k]).to_vec());
+    let mesh = asked.mesh.clone();
+    let request = StaticRequest { mesh, load, gas: false, speeds: vec![speed], ..StaticRequest::default() };
+    let solved = static_stress(&engine, &[], &request, &|_| ()).unwrap();
+    for (case, k) in solved.cases.iter().zip(samples) {
+        let wanted = closed.mains.iter().map(|main| main.journal_frame[k]);
+        let [x, y] = wanted.fold([0.0; 2], |[x, y], own| [x + own.re, y + own.im]);
+        // Fillets of the pin, which the closed form has not, load the mains along the throw.
+        let apart = [x - case.reaction[0], y - case.reaction[1]];
+        assert!((apart[0] / (2.0 * load_of_fillets()) - 1.0).abs() < 0.02, "{k}: {apart:?}");
+        assert!(apart[1].abs() < 0.02 * load_of_fillets(), "{k}: {apart:?}");
+    }
 }
 
 #[test]

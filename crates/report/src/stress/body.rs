@@ -155,6 +155,30 @@ impl CrankSheet {
         if !self.crank.left_out.is_empty() {
             words.push(format!("Not meshed: {}.", self.crank.left_out.join(", ")));
         }
+        words.extend(self.weight_words());
         words
+    }
+
+    /// What counterweights without a shape do: nothing where there are none.
+    fn weight_words(&self) -> Option<String> {
+        let weights = &self.crank.weights;
+        let mut places: Vec<&str> = Vec::new();
+        for weight in weights {
+            if !places.contains(&weight.place.as_str()) {
+                places.push(&weight.place);
+            }
+        }
+        let last = places.pop()?;
+        let places =
+            if places.is_empty() { last.to_owned() } else { format!("{} and {last}", places.join(", ")) };
+        let sum: f64 = weights.iter().map(|weight| weight.unbalance[0].hypot(weight.unbalance[1])).sum();
+        let (count, are) = match weights.len() {
+            1 => ("1 counterweight has".to_owned(), "force acts"),
+            count => (format!("{count} counterweights have"), "forces act"),
+        };
+        Some(format!(
+            "{count} no shape ({} g mm together): the centrifugal {are} on {places}, spread over the half of a web on its side; their masses are not in the mesh.",
+            number::short(1e6 * sum, 5)
+        ))
     }
 }

@@ -107,16 +107,10 @@ impl StaticStress {
     /// The sentences that matter most.
     pub(crate) fn lead(&self) -> String {
         let submodel = self.submodel.as_ref().and_then(|own| own.lead(|stress| self.safety_words(stress)));
-        let turns = self.cases.iter().any(|case| case.speed > 0.0);
-        let shapeless = self.sheet.crank.left_out.iter().any(|words| words.contains("without a shape"));
-        let missing = match turns && shapeless {
-            true => Some(
-                "Counterweights without a shape are not in the mesh: stress by their centrifugal forces is missing; give them as parts.",
-            ),
-            false => None,
-        };
-        let words = [Some(self.whole_lead()), submodel, missing.map(str::to_owned)];
-        words.into_iter().flatten().collect::<Vec<_>>().join(" ")
+        match submodel {
+            Some(words) => format!("{} {words}", self.whole_lead()),
+            None => self.whole_lead(),
+        }
     }
 
     /// ", 1.4 times below yield"; nothing where the strength is not known.
