@@ -25,13 +25,29 @@ pub struct Source {
 pub fn read_bytes(path: &Path, hint: &str) -> Result<Vec<u8>, Failure> {
     let mut bytes = Vec::new();
     let read = File::open(path).and_then(|file| file.take(LONGEST_DRAWING + 1).read_to_end(&mut bytes));
+    checked_bytes(read, &shown(path), hint, LONGEST_DRAWING)?;
+    Ok(bytes)
+}
+
+/// The same; `-` is standard input.
+pub fn read_bytes_or_input(path: &Path, hint: &str) -> Result<Vec<u8>, Failure> {
+    if path != Path::new("-") {
+        return read_bytes(path, hint);
+    }
+    let mut bytes = Vec::new();
+    let read = io::stdin().lock().take(LONGEST_DRAWING + 1).read_to_end(&mut bytes);
+    checked_bytes(read, "<stdin>", hint, LONGEST_DRAWING)?;
+    Ok(bytes)
+}
+
+/// Refuses what could not be read, or is too long.
+fn checked_bytes(read: io::Result<usize>, name: &str, hint: &str, most: u64) -> Result<(), Failure> {
     match read {
-        Err(error) => Err(Failure::input(format_args!("cannot read {}: {error}", shown(path)), hint)),
-        Ok(length) if length as u64 > LONGEST_DRAWING => Err(Failure::input(
-            format_args!("{} is longer than {} MiB", shown(path), LONGEST_DRAWING >> 20),
-            hint,
-        )),
-        Ok(_) => Ok(bytes),
+        Err(error) => Err(Failure::input(format_args!("cannot read {name}: {error}"), hint)),
+        Ok(length) if length as u64 > most => {
+            Err(Failure::input(format_args!("{name} is longer than {} MiB", most >> 20), hint))
+        }
+        Ok(_) => Ok(()),
     }
 }
 

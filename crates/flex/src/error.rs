@@ -89,8 +89,8 @@ pub enum FlexError {
     },
     /// A factor above the memory that may be used.
     #[error(
-        "the factor needs {:.2} GiB, more than the {:.2} GiB allowed ({unknowns} unknowns, {entries} entries)\nhint: a coarser mesh, or allow more memory",
-        *.needed as f64 / 1_073_741_824.0, *.allowed as f64 / 1_073_741_824.0
+        "the factor needs {}, more than the {} allowed ({unknowns} unknowns, {entries} entries)\nhint: a coarser mesh, or allow more memory",
+        bytes_words(*.needed), bytes_words(*.allowed)
     )]
     Memory {
         /// Unknowns.
@@ -178,4 +178,31 @@ pub enum FlexError {
         /// What fixes it.
         hint: &'static str,
     },
+}
+
+/// "1.25 GiB", "640 MiB", "1 MiB", "12 KiB": three significant digits.
+pub fn bytes_words(bytes: u64) -> String {
+    let size = bytes as f64;
+    let (value, unit) = match bytes {
+        0x4000_0000.. => (size / 1_073_741_824.0, "GiB"),
+        0x10_0000.. => (size / 1_048_576.0, "MiB"),
+        0x400.. => (size / 1024.0, "KiB"),
+        _ => return format!("{bytes} bytes"),
+    };
+    let decimals = if value < 9.995 { 2 } else { usize::from(value < 99.95) };
+    let text = format!("{value:.decimals$}");
+    let text = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
+    format!("{text} {unit}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::bytes_words;
+
+    #[test]
+    fn sizes_have_three_digits() {
+        let sizes = [1 << 20, 791_000_000, 8 << 30, 1_340_000_000, 12 << 10, 5, 150 << 30];
+        let words = sizes.map(bytes_words);
+        assert_eq!(words, ["1 MiB", "754 MiB", "8 GiB", "1.25 GiB", "12 KiB", "5 bytes", "150 GiB"]);
+    }
 }

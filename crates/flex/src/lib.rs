@@ -28,6 +28,6 @@ pub mod throw_stress;
 pub mod train;
 pub mod vtu;
 
-pub use error::FlexError;
+pub use error::{FlexError, bytes_words};
 pub use material::Material;
 pub use mesh::LEAST_JACOBIAN;

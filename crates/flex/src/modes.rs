@@ -10,7 +10,8 @@ use crate::case::StaticCase;
 use crate::eigen::symmetric_eigen;
 use crate::mesh::Mesh;
 use crate::sparse::{
-    Factor, FactorPlan, Precision, Quantity, SolveEstimate, Structure, SymmetricMatrix, add, dot, norm,
+    Factor, FactorPlan, Precision, Quantity, SolveEstimate, Structure, SymmetricMatrix, add, dot,
+    negative_eigenvalues, norm,
 };
 use crate::statics::SolveOptions;
 use serde::Serialize;
@@ -83,6 +84,28 @@ pub struct ModeSolution {
     pub factor_entries: usize,
     /// Floating-point operations of the factor.
     pub factor_operations: f64,
+    /// Whether the mass is that of CalculiX, integrated with the rule of the stiffness.
+    pub coarse_mass: bool,
+    /// With modes counted: how many there are.
+    pub count: Option<ModeCount>,
+}
+
+/// How many modes a body has, by the signs of a factor of `K - s M` (Sylvester's law of inertia).
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
+pub struct ModeCount {
+    /// Below this frequency [Hz]: in a gap between modes, above the highest one where there is one.
+    pub below: f64,
+    /// Modes there, rigid motions included; `None` where rounding leaves the count in doubt.
+    pub counted: Option<usize>,
+    /// Modes found there, rigid motions included.
+    pub found: usize,
+}
+
+impl ModeCount {
+    /// How many modes are missing; `None` where that is not known.
+    pub fn missing(&self) -> Option<usize> {
+        self.counted.map(|counted| counted.saturating_sub(self.found))
+    }
 }
 
 /// The lowest modes of a mesh with the supports of a case, whose loads do not count; of a case without supports the rigid motions come
@@ -147,8 +170,15 @@ pub fn modes_watched(
     plan.check(Precision::Double, options.memory)?;
     let factor = Factor::<f64>::new(&shifted, &plan)?;
     drop(shifted);
-    let pairs = lanczos(&factor, &stiffness, &mass, count, shift)?;
+    // One more where they are counted, to know the gap above the highest.
+    let more = usize::from(options.count_modes && count + 1 + BLOCK <= stiffness.size());
+    let mut pairs = lanczos(&factor, &stiffness, &mass, count + more, shift)?;
+    drop(factor);
     let basis = pairs.basis;
+    let count_of = |values: &[f64]| counted(&stiffness, &mass, &plan, values, shift);
+    let values: Vec<f64> = pairs.found.iter().map(|(value, ..)| *value).collect();
+    let modes_counted = options.count_modes.then(|| count_of(&values)).flatten();
+    pairs.found.truncate(count);
     let place = |(value, vector, residual): (f64, Vec<f64>, f64)| {
         let mut full = vec![0.0; kept.len()];
         let mut values = vector.into_iter();
@@ -167,7 +197,27 @@ pub fn modes_watched(
         unknowns: plan.unknowns,
         factor_entries: plan.entries,
         factor_operations: plan.operations,
+        coarse_mass: options.coarse_mass,
+        count: modes_counted,
     })
+}
+
+/// Share of a value above it that parts it from the next one.
+const GAP: f64 = 1e-5;
+
+/// Counts the modes below the highest gap between these values.
+fn counted(
+    stiffness: &SymmetricMatrix,
+    mass: &SymmetricMatrix,
+    plan: &FactorPlan,
+    values: &[f64],
+    shift: f64,
+) -> Option<ModeCount> {
+    let is_gap = |k: &usize| values[*k] > RIGID * shift && values[*k] > (1.0 + GAP) * values[*k - 1].max(0.0);
+    let found = (1..values.len()).rev().find(is_gap)?;
+    let middle = (values[found - 1].max(0.0) + values[found]) / 2.0;
+    let counted = negative_eigenvalues(&stiffness.plus(-middle, mass), plan);
+    Some(ModeCount { below: middle.sqrt() / std::f64::consts::TAU, counted, found })
 }
 
 /// One hundredth of `E/(rho L^2)`, with the length of the body: some way below the first mode of a stout one.

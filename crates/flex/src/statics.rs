@@ -24,11 +24,13 @@ pub struct SolveOptions {
     pub memory: u64,
     /// Whether modes have the mass of CalculiX, integrated with the rule of the stiffness.
     pub coarse_mass: bool,
+    /// Whether modes are counted by a second factor, which tells whether any is missing.
+    pub count_modes: bool,
 }
 
 impl Default for SolveOptions {
     fn default() -> SolveOptions {
-        SolveOptions { precision: Precision::Single, memory: 8 << 30, coarse_mass: false }
+        SolveOptions { precision: Precision::Single, memory: 8 << 30, coarse_mass: false, count_modes: false }
     }
 }
 

@@ -215,6 +215,9 @@ pub struct ModesArguments {
     /// --fillet-elements they are as fine as 220 000 nodes allow.
     #[arg(long)]
     pub converge: bool,
+    /// Count the modes by a second factor, which tells whether any is missing; exit status 1 where one is.
+    #[arg(long, conflicts_with = "converge")]
+    pub count: bool,
     /// Write pictures as SVG files into this folder.
     #[arg(long, value_name = "FOLDER")]
     pub figures: Option<PathBuf>,
@@ -425,7 +428,7 @@ pub struct RuleArguments {
 /// `stress solve`
 #[derive(Debug, Args)]
 pub struct SolveArguments {
-    /// Deck to solve.
+    /// Deck to solve; `-` reads standard input.
     #[arg(value_name = "DECK")]
     pub file: PathBuf,
     /// Most memory that matrix and factor may take, such as `4 GiB`.

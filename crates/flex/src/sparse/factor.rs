@@ -6,6 +6,7 @@ use super::real::Real;
 use super::substitution::{Supernode, substitute};
 use crate::FlexError;
 use faer::dyn_stack::{MemBuffer, MemStack};
+use faer::linalg::cholesky::ldlt::factor::{LdltError, LdltRegularization};
 use faer::linalg::cholesky::llt::factor::LltError;
 use faer::linalg::matmul::matmul;
 use faer::perm::PermRef;
@@ -286,6 +287,52 @@ impl<T: Real> Factor<T> {
     }
 }
 
+/// Pivots of `A = L D L^T` above this multiple of the largest diagonal entry leave too few digits to trust the sign of the small ones.
+const MOST_GROWTH: f64 = 1e6;
+
+/// How many eigenvalues of a matrix are below zero: as many as pivots of `A = L D L^T` (Sylvester's law of inertia). The plan is that of any matrix with the same
+/// pattern. `None` where rounding may have changed a sign.
+pub fn negative_eigenvalues(matrix: &SymmetricMatrix, plan: &FactorPlan) -> Option<usize> {
+    let size = matrix.size();
+    let (starts, rows) = (&matrix.pattern.starts, &matrix.pattern.rows);
+    let pattern = SymbolicSparseColMatRef::new_checked(size, size, starts, None, rows);
+    let symbolic = &plan.symbolic;
+    let par = parallel();
+    let mut memory = MemBuffer::new(symbolic.factorize_numeric_ldlt_scratch::<f64>(par, Default::default()));
+    let mut values = vec![0.0f64; symbolic.len_val()];
+    let outcome: Result<(), LdltError> = rayon::scope(|_| {
+        symbolic
+            .factorize_numeric_ldlt(
+                &mut values,
+                SparseColMatRef::new(pattern, &matrix.values),
+                Side::Lower,
+                LdltRegularization::default(),
+                par,
+                MemStack::new(&mut memory),
+                Default::default(),
+            )
+            .map(|_| ())
+    });
+    outcome.ok()?;
+    let factor = supernodal(symbolic);
+    let (begin, end, starts) = (factor.supernode_begin(), factor.supernode_end(), factor.col_ptr_for_val());
+    let (mut negative, mut largest) = (0, 0.0f64);
+    for node in 0..factor.n_supernodes() {
+        let columns = (end[node] - begin[node]) as usize;
+        let tall = columns + factor.supernode(node).pattern().len();
+        for column in 0..columns {
+            let pivot = values[starts[node] as usize + column * (tall + 1)];
+            if !pivot.is_finite() {
+                return None;
+            }
+            negative += usize::from(pivot < 0.0);
+            largest = largest.max(pivot.abs());
+        }
+    }
+    let usual = matrix.diagonal().iter().fold(0.0f64, |most, value| most.max(value.abs()));
+    (largest <= MOST_GROWTH * usual).then_some(negative)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -330,6 +377,26 @@ mod tests {
                 assert!(residual::<f64>(&matrix, count) < 1e-13, "{count}");
                 assert!(residual::<f32>(&matrix, count) < 5e-5, "{count}");
             }
+        }
+    }
+
+    #[test]
+    fn pivots_below_zero_count_eigenvalues() {
+        // Eigenvalues of the grid: 4.5 - 2 cos(pi i/(n + 1)) - 2 cos(pi j/(m + 1)).
+        let (across, along) = (6, 9);
+        let matrix = grid(across, along);
+        let plan = FactorPlan::new(&matrix).expect("it is small");
+        let cos = |k: usize, count: usize| 2.0 * (std::f64::consts::PI * k as f64 / (count + 1) as f64).cos();
+        for shift in [0.1, 0.7, 1.9, 3.3, 4.6, 6.2, 9.0] {
+            let mut shifted = matrix.clone();
+            for column in 0..matrix.size() {
+                shifted.values[matrix.pattern.starts[column] as usize] -= shift;
+            }
+            let below = (1..=across)
+                .flat_map(|i| (1..=along).map(move |j| 4.5 - cos(i, across) - cos(j, along)))
+                .filter(|value| *value < shift)
+                .count();
+            assert_eq!(negative_eigenvalues(&shifted, &plan), Some(below), "{shift}");
         }
     }
 

@@ -10,7 +10,7 @@ mod solve;
 mod substitution;
 
 pub use assembly::{DenseTerm, Quantity, Structure};
-pub use factor::{Factor, FactorPlan, Precision, SolveEstimate, make_product};
+pub use factor::{Factor, FactorPlan, Precision, SolveEstimate, make_product, negative_eigenvalues};
 pub use matrix::{Pattern, SymmetricMatrix};
 pub(crate) use matrix::{add, dot, norm};
 pub use order::{nested_dissection, postorder};

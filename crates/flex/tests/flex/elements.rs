@@ -283,6 +283,19 @@ fn lit_free_round_bar_in_torsion() {
         found.modes.iter().filter(|mode| mode.kind == ModeKind::Torsion).map(|mode| mode.frequency).collect();
     close("first", torsion[0], wave / (2.0 * length), 1e-4);
     close("second", torsion[1], wave / length, 1e-4);
+    // Counted by the signs of a factor, the modes that are asked for are all there is, also where the last one has a like.
+    for asked in [7, 8, 9, 12] {
+        let options = SolveOptions { count_modes: true, ..SolveOptions::default() };
+        let counted = modes(&mesh, &StaticCase::default(), asked, options).unwrap();
+        assert_eq!(counted.modes.len(), asked);
+        let count = counted.count.unwrap();
+        let below = found.modes.iter().filter(|mode| mode.frequency < count.below).count();
+        assert_eq!((count.counted, count.found), (Some(below), below), "{asked}");
+        assert_eq!(count.missing(), Some(0));
+        // Bending modes 7 and 8 are one pair: between them is no gap.
+        assert!(below == asked || below + 1 == asked, "{asked} {below}");
+        assert!(asked != 7 || below == 6);
+    }
     // Bending comes in pairs, of one frequency; Euler and Bernoulli's is an upper bound of it.
     let bending: Vec<f64> = found.modes[6..]
         .iter()

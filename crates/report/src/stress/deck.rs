@@ -132,7 +132,10 @@ fn modes_table(number: usize, found: &ModeSolution) -> Table {
     Table::of_columns(
         "deck-modes",
         format!("Step {number}: natural modes"),
-        "Mass integrated exactly for elements with straight edges.",
+        match found.coarse_mass {
+            true => "Mass integrated with the rule of the stiffness, as CalculiX does.",
+            false => "Mass integrated exactly for elements with straight edges.",
+        },
         vec![
             (
                 Column::numbers("mode", ""),

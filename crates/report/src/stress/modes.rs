@@ -6,7 +6,7 @@ use crate::kit::number;
 use crate::kit::paragraph::push_wrapped;
 use crate::kit::section::Section;
 use crate::kit::table::{Cell, Column, Table, numbers, words};
-use lanchester_flex::modes::{ModeKind, ModeSolution};
+use lanchester_flex::modes::{ModeCount, ModeKind, ModeSolution};
 use serde::Serialize;
 
 /// Version of these structures; raised when a field changes its meaning or goes.
@@ -95,7 +95,28 @@ impl CrankModes {
             number::whole(self.modes.factor_entries as u128),
             self.modes.basis,
         ));
+        words.extend(self.modes.count.as_ref().map(count_words));
         words
+    }
+}
+
+/// Whether a mode is missing.
+fn count_words(count: &ModeCount) -> String {
+    let below = number::short(count.below, 5);
+    let found = match count.found {
+        1 => "one is found".to_owned(),
+        found => format!("{found} are found"),
+    };
+    match (count.counted, count.missing()) {
+        (Some(counted), Some(0)) => format!(
+            "Counted by the signs of a second factor: {counted} modes below {below} Hz, rigid motions included. None is missing."
+        ),
+        (Some(counted), _) => format!(
+            "Counted by the signs of a second factor: {counted} modes below {below} Hz, rigid motions included, of which {found}: the others are missing. Ask for more modes."
+        ),
+        _ => format!(
+            "Modes below {below} Hz cannot be counted: rounding leaves signs of the second factor in doubt."
+        ),
     }
 }
 

@@ -14,6 +14,8 @@ const BANDS: usize = 10;
 const SHADES: f64 = 4.0;
 /// Share of the length of the crankshaft by which the largest displacement is shown.
 const SHOWN: f64 = 0.03;
+/// The same of a mode, which stands before the crankshaft at rest.
+const SHOWN_OF_MODE: f64 = 0.06;
 /// Directions to the eye from both sides, in the frame of the crankshaft; x is up.
 const EYES: [[f64; 3]; 2] = [[0.45, 0.75, 0.5], [-0.35, -0.75, -0.5]];
 /// Modes that are drawn.
@@ -27,7 +29,12 @@ struct Drawing<'a> {
     factor: f64,
     /// Values at the nodes, from 0 to 1.
     parts: &'a [f64],
+    /// Whether the body at rest stands behind it.
+    at_rest: bool,
 }
+
+/// Colour of the body at rest.
+const REST: &str = "#b9bfc8";
 
 fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
@@ -112,7 +119,11 @@ impl Drawing<'_> {
 
     fn draw(&self, eye: [f64; 3], width: f64, svg_of: impl Fn(f64) -> Svg) -> Svg {
         let patches = self.patches(eye);
-        let all = patches.iter().flat_map(|patch| &patch.corners);
+        let rest = match self.at_rest {
+            true => Drawing { factor: 0.0, ..*self }.patches(eye),
+            false => Vec::new(),
+        };
+        let all = patches.iter().chain(&rest).flat_map(|patch| &patch.corners);
         let (mut low, mut high) = ((f64::INFINITY, f64::INFINITY), (f64::NEG_INFINITY, f64::NEG_INFINITY));
         for (x, y) in all {
             low = (low.0.min(*x), low.1.min(*y));
@@ -126,6 +137,16 @@ impl Drawing<'_> {
         let aside = (width - scale * (high.0 - low.0)) / 2.0;
         let mut svg = svg_of(height);
         let at = |(x, y): &(f64, f64)| (aside + scale * (x - low.0), margin + scale * (y - low.1));
+        let mut outline = Path::new();
+        for patch in &rest {
+            let mut corners = patch.corners.iter().map(at);
+            if let Some(first) = corners.next() {
+                outline = corners.fold(outline.move_to(first), Path::line_to).close();
+            }
+        }
+        if !rest.is_empty() {
+            svg.fill(REST, &outline);
+        }
         let mut open: Option<((usize, u8), Path)> = None;
         for patch in &patches {
             let mut corners = patch.corners.iter().map(at);
@@ -194,7 +215,7 @@ impl StaticStress {
             case.result.stresses.iter().map(|own| own.stress.von_mises() / largest).collect();
         let displacements = &case.result.solution.displacements;
         let factor = shown_factor(mesh, displacements, SHOWN);
-        let drawing = Drawing { mesh, faces: &faces, displacements, factor, parts: &parts };
+        let drawing = Drawing { mesh, faces: &faces, displacements, factor, parts: &parts, at_rest: false };
         let panel = |(k, eye): (usize, &[f64; 3])| {
             let below = if k == 0 { 0.0 } else { 34.0 };
             let mut svg = drawing.draw(*eye, WIDTH, |height| Svg::new(WIDTH, height + below));
@@ -236,8 +257,10 @@ impl CrankModes {
         let panel = |(k, mode): (usize, &lanchester_flex::modes::Mode)| {
             let largest = mode.shape.iter().map(length).fold(f64::MIN_POSITIVE, f64::max);
             let parts: Vec<f64> = mode.shape.iter().map(|u| length(u) / largest).collect();
-            let factor = shown_factor(mesh, &mode.shape, SHOWN);
-            let drawing = Drawing { mesh, faces: &faces, displacements: &mode.shape, factor, parts: &parts };
+            let displacements = &mode.shape;
+            let factor = shown_factor(mesh, displacements, SHOWN_OF_MODE);
+            let drawing =
+                Drawing { mesh, faces: &faces, displacements, factor, parts: &parts, at_rest: true };
             let words = format!(
                 "{}: {} Hz, {}",
                 k + 1,
@@ -256,7 +279,7 @@ impl CrankModes {
         vec![Figure {
             id: "stress-modes".to_owned(),
             title: "Natural modes".to_owned(),
-            caption: "Each mode at its largest deflection, drawn so that it can be seen; blue rests, red moves most.".to_owned(),
+            caption: "Each mode at its largest deflection, drawn so that it can be seen, before the crankshaft at rest in grey; blue rests, red moves most.".to_owned(),
             panels,
             columns: 2,
         }]

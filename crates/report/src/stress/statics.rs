@@ -7,6 +7,7 @@ use crate::kit::number;
 use crate::kit::paragraph::push_wrapped;
 use crate::kit::section::Section;
 use crate::kit::table::{Cell, Column, Table, csv_number, numbers, push_csv_line, words};
+use lanchester_flex::bytes_words;
 use lanchester_flex::crank_case::{CrankCase, CrankLoad, SurfacePeak};
 use lanchester_flex::sparse::SolveReport;
 use serde::Serialize;
@@ -298,10 +299,10 @@ impl StaticStress {
             if size > 0.0 && case.reaction.iter().any(|f| *f != 0.0) { rest / size } else { 0.0 }
         });
         format!(
-            "Solution: {} unknowns, factor of {} entries ({:.2} GiB), {} iterations, residual {:.1e}; loads and reactions balance to {:.1e}.",
+            "Solution: {} unknowns, factor of {} entries ({}), {} iterations, residual {:.1e}; loads and reactions balance to {:.1e}.",
             number::whole(solve.unknowns as u128),
             number::whole(solve.factor_entries as u128),
-            solve.bytes as f64 / 1_073_741_824.0,
+            bytes_words(solve.bytes),
             solve.iterations,
             solve.residual,
             imbalance.fold(0.0, f64::max),

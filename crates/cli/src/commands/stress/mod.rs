@@ -9,7 +9,7 @@ pub(crate) use self::said::say;
 use crate::commands::{Opened, json, open};
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
 use crate::figures::write_figures;
-use crate::files::{print, read_bytes, tell, write_result};
+use crate::files::{print, read_bytes_or_input, tell, write_result};
 use crate::format::Format;
 use crate::options::stress::{
     ExportArguments, FatigueArguments, MeshArguments, ModesArguments, ReduceArguments, RuleArguments,
@@ -92,13 +92,13 @@ fn found_modes(
     own: &MeshArguments,
     held: CrankSupport,
     count: u32,
-    converge: bool,
+    [converge, count_modes]: [bool; 2],
 ) -> Result<CrankModes, Failure> {
     let request = ModesRequest {
         mesh: mesh(own, &opened.file, 2)?,
         support: held,
         count: count as usize,
-        solve: solve_options(own)?,
+        solve: SolveOptions { count_modes, ..solve_options(own)? },
     };
     let engine = &opened.file.engine;
     let found = match converge {
@@ -112,7 +112,8 @@ fn modes(arguments: &ModesArguments, colour: bool) -> Result<u8, Failure> {
     arguments.printed.check(arguments.format == Format::Text)?;
     let held = support(&arguments.support, CrankSupport::Free)?;
     let opened = open(&arguments.mesh.file, colour)?;
-    let found = found_modes(&opened, &arguments.mesh, held, arguments.number, arguments.converge)?;
+    let studied = [arguments.converge, arguments.count];
+    let found = found_modes(&opened, &arguments.mesh, held, arguments.number, studied)?;
     if let Some(folder) = &arguments.figures {
         write_figures(folder, &arguments.mesh.file, &found.figures())?;
     }
@@ -121,7 +122,8 @@ fn modes(arguments: &ModesArguments, colour: bool) -> Result<u8, Failure> {
         Format::Json => json(&found)?,
         Format::Csv => arguments.printed.csv(modes_csv(&found)),
     })?;
-    Ok(DONE)
+    let is_complete = found.modes.count.is_none_or(|count| count.missing() == Some(0));
+    Ok(if is_complete { DONE } else { NOT_AS_EXPECTED })
 }
 
 fn export(arguments: &ExportArguments, colour: bool) -> Result<u8, Failure> {
@@ -145,7 +147,7 @@ fn export(arguments: &ExportArguments, colour: bool) -> Result<u8, Failure> {
     let written = match arguments.modes {
         Some(count) => {
             let held = support(&arguments.support, CrankSupport::Free)?;
-            let found = found_modes(&opened, own, held.clone(), count, false)?;
+            let found = found_modes(&opened, own, held.clone(), count, [false; 2])?;
             match form {
                 Form::Deck => {
                     modes_deck(&found, &held, count as usize).map_err(Failure::refused)?.into_bytes()
@@ -274,8 +276,10 @@ fn solve(arguments: &SolveArguments) -> Result<u8, Failure> {
     }
     let precision = if arguments.double { Precision::Double } else { Precision::Single };
     let memory = memory(&arguments.memory)?;
-    let options = SolveOptions { precision, memory, coarse_mass: arguments.calculix_mass };
-    let bytes = read_bytes(&arguments.file, "give the path of a CalculiX deck")?;
+    let options =
+        SolveOptions { precision, memory, coarse_mass: arguments.calculix_mass, ..SolveOptions::default() };
+    let bytes =
+        read_bytes_or_input(&arguments.file, "give the path of a CalculiX deck, or - for standard input")?;
     let text = String::from_utf8(bytes)
         .map_err(|_| Failure::input("a deck is text in ASCII or UTF-8", "is this the right file?"))?;
     let (found, pictures) = solve_deck(&text, options, &say).map_err(Failure::refused)?;

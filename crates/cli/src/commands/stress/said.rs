@@ -2,6 +2,7 @@
 
 use crate::files::tell;
 use lanchester::StressStage;
+use lanchester::flex::bytes_words;
 use lanchester::flex::sparse::{Precision, make_product};
 use std::time::Instant;
 
@@ -15,11 +16,11 @@ pub(crate) fn say(stage: StressStage) {
             tell(format_args!("meshed: {nodes} nodes, {elements} elements"))
         }
         StressStage::Factoring(estimate) => tell(format_args!(
-            "factoring: {} unknowns, {} entries in the matrix, {} in the factor, {:.2} GiB, {:.1e} operations (some {:.0} s)",
+            "factoring: {} unknowns, {} entries in the matrix, {} in the factor, {}, {:.1e} operations (some {:.0} s)",
             estimate.unknowns,
             estimate.nonzeros,
             estimate.factor_entries,
-            estimate.bytes as f64 / 1_073_741_824.0,
+            bytes_words(estimate.bytes),
             estimate.operations,
             estimate.seconds(product_rate(estimate.precision)).ceil(),
         )),
