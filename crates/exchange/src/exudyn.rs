@@ -69,7 +69,6 @@ pub struct RigidTrain {
     pub reference: RigidReference,
 }
 
-/// `x + i y` as two numbers.
 impl RigidRotor {
     /// A rotor from its complex moments.
     pub fn new(
@@ -85,13 +84,44 @@ impl RigidRotor {
     }
 }
 
+impl RigidTrain {
+    /// Largest force [N] and couple [N m] that a single part makes: a piston or a rod at the crankpin, or the unbalance of a shaft. The loads of all
+    /// parts may cancel, those of one do not; where every part is in the plane of the origin, the couple has the throw as its arm.
+    pub fn scales(&self) -> [f64; 2] {
+        let size = |pair: [f64; 2]| pair[0].hypot(pair[1]);
+        let (mut force, mut couple, mut arm) = (0.0_f64, 0.0_f64, 0.0_f64);
+        for rotor in &self.rotors {
+            let square = (self.speed * rotor.ratio).powi(2);
+            force = force.max(size(rotor.first_moment) * square);
+            couple = couple.max(size(rotor.product) * square);
+        }
+        for cylinder in &self.cylinders {
+            let throw = size(cylinder.crankpin);
+            let square = (self.speed * self.rotors[cylinder.rotor].ratio).powi(2);
+            force = force.max(cylinder.piston_mass.max(cylinder.rod_mass) * throw * square);
+            arm = arm.max(cylinder.z.abs().max(throw));
+        }
+        [force, couple.max(force * arm)]
+    }
+}
+
+/// What the script holds: the train with the loads that differences are measured by.
+#[derive(Serialize)]
+struct Written<'a> {
+    #[serde(flatten)]
+    train: &'a RigidTrain,
+    force_scale: f64,
+    couple_scale: f64,
+}
+
 /// The script: it builds the train of rigid bodies and joints, turns it, and says how far its loads are from ours; exit status 1 where they are
-/// further than 1e-6 of the largest.
+/// further than 1e-6 of [`RigidTrain::scales`].
 ///
 /// # Errors
 /// Where a number is not finite, so that it cannot be written.
 pub fn exudyn(train: &RigidTrain) -> Result<String, serde_json::Error> {
-    let data = serde_json::to_string(train)?;
+    let [force_scale, couple_scale] = train.scales();
+    let data = serde_json::to_string(&Written { train, force_scale, couple_scale })?;
     // A text of Python in one line: JSON has no quotes of this kind but escaped ones.
     let data = data.replace('\\', "\\\\").replace('\'', "\\'");
     Ok(include_str!("exudyn.py").replace("{TRAIN}", &data))
