@@ -114,9 +114,17 @@ impl Builder<'_> {
             Some(loss) => loss,
             None if has_damping => 0.0,
             None => {
-                self.notes.push(format!("damping of the crankshaft is not given: a loss factor of {ASSUMED_LOSS} is assumed; give damping in [torsion]"));
+                self.note(format!("damping of the crankshaft is not given: a loss factor of {ASSUMED_LOSS} is assumed; give damping in [torsion]"));
                 ASSUMED_LOSS
             }
+        }
+    }
+
+    /// What holds of several crankshafts is noted once.
+    fn note(&mut self, words: impl Into<String>) {
+        let words = words.into();
+        if !self.notes.contains(&words) {
+            self.notes.push(words);
         }
     }
 
@@ -167,7 +175,7 @@ impl Builder<'_> {
                 let mut inertia = parts.crank + parts.train;
                 if crankshaft == 0 && before.is_none() && at_nose && geared > 0.0 {
                     inertia += geared;
-                    self.notes.push("balance shafts and gears count at the first throw: the crankshaft has no nose with an inertia".to_owned());
+                    self.note("balance shafts and gears count at the first throw: the crankshaft has no nose with an inertia");
                 }
                 let station = self.stations.len();
                 self.stations.push(Station {
@@ -187,7 +195,7 @@ impl Builder<'_> {
         let flywheel = self.flywheel(if at_nose { 0.0 } else { geared });
         for ((last, ratio, crankshaft), piece) in ends.into_iter().zip(rear) {
             if crankshaft > 0 {
-                self.notes.push(format!(
+                self.note(format!(
                     "crankshaft {} is joined to the flywheel by rigid gears at its own flywheel end",
                     crankshaft + 1
                 ));
@@ -252,7 +260,7 @@ impl Builder<'_> {
         for body in self.input.bodies.iter().filter(|body| body.is_geared()) {
             match body.referred() {
                 Some(inertia) => sum += inertia.value,
-                None => self.notes.push(format!(
+                None => self.note(format!(
                     "the inertia of {} is not known and not counted; give {}",
                     body.name, body.key
                 )),
@@ -287,13 +295,12 @@ impl Builder<'_> {
                         "give the sizes in [crank.body], or crankshaft_inertia in [flywheel]",
                     );
                 }
-                (Some(_), None) => self.notes.push(
-                    "the inertia of the crankshaft is shared equally by its throws: its shape is not known"
-                        .to_owned(),
+                (Some(_), None) => self.note(
+                    "the inertia of the crankshaft is shared equally by its throws: its shape is not known",
                 ),
-                (Some(_), Some(_)) => self.notes.push(
-                    "journals, nose and flange of the crankshaft count equally at all throws".to_owned(),
-                ),
+                (Some(_), Some(_)) => {
+                    self.note("journals, nose and flange of the crankshaft count equally at all throws")
+                }
             }
         }
         let samples = train_inertia(self.input.engine, throw);
@@ -352,7 +359,7 @@ impl Builder<'_> {
                 BranchPlace::Branch(index) => first + index,
                 BranchPlace::Nose => {
                     if !has_nose {
-                        self.notes.push(format!(
+                        self.note(format!(
                             "{} hangs on the first throw: the crankshaft has no nose with an inertia",
                             branch.name
                         ));
@@ -436,7 +443,7 @@ impl Builder<'_> {
         let material = self.input.engine.crank_material.unwrap_or_default();
         let (young, poisson) = (material.youngs_modulus(), material.poisson_ratio());
         if self.design.stiffness.is_empty() && (young.is_none() || poisson.is_none()) {
-            self.notes.push("the material of the crankshaft is not given: stiffnesses are those of steel, 210 GPa and 0.3".to_owned());
+            self.note("the material of the crankshaft is not given: stiffnesses are those of steel, 210 GPa and 0.3");
         }
         let young = young.map_or(STEEL[0], |value| value.value);
         young / (2.0 * (1.0 + poisson.map_or(STEEL[1], |value| value.value)))
@@ -446,7 +453,7 @@ impl Builder<'_> {
     fn pieces_of_sizes(&mut self, elements: &[CrankElement], along: &[usize], modulus: f64) -> Vec<Piece> {
         let parts = ker_wilson::flexibilities(elements);
         if let Some(clipped) = parts.iter().find(|part| part.is_clipped) {
-            self.notes.push(format!(
+            self.note(format!(
                 "{} joins two bars that overlap so far that Ker Wilson's formula has no length for it: it counts as rigid",
                 elements[clipped.element].name()
             ));

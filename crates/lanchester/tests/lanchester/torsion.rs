@@ -147,6 +147,21 @@ fn given_stiffnesses_go_before_those_of_sizes_and_must_fit() {
     );
 }
 
+/// Two crankshafts: what holds of both was noted twice, and the studio's page ended there.
+#[test]
+fn regress_what_holds_of_several_crankshafts_is_noted_once() {
+    for name in ["square-4", "opposed-piston-3"] {
+        let template = lanchester::file::template(name).expect("it is in the gallery");
+        let text = lanchester::file::complete(template.text, &[], None).expect("it can be completed").text;
+        let notes = engine_chain(&file(&text), &[]).expect("it says enough").notes;
+        let mut once = notes.clone();
+        once.sort();
+        once.dedup();
+        assert!(notes.len() > 1, "{name}: {notes:?}");
+        assert_eq!(once.len(), notes.len(), "{name}: {notes:?}");
+    }
+}
+
 #[test]
 fn all_that_is_lacking_is_said_at_once() {
     let bare = lanchester::file::template("in-line-4").expect("it is in the gallery").text;

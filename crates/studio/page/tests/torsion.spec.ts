@@ -2,6 +2,7 @@
 
 import type { Page } from "@playwright/test";
 import type { StressAnswer, TorsionAnswer } from "../src/api/types";
+import { newEngine, opened } from "./page";
 import { expect, test, type Studio } from "./server";
 
 async function open(page: Page, studio: Studio) {
@@ -64,6 +65,30 @@ test.describe("an engine without a crankshaft by sizes", () => {
     await open(page, studio);
     await expect(page.getByRole("heading", { name: "There is no torsional vibration yet" })).toBeVisible();
     await expect(page.getByRole("button", { name: "Add it on the Engine tab" })).toBeVisible();
+  });
+});
+
+test.describe("an engine with two crankshafts", () => {
+  test.use({ example: "in-line-3.toml" });
+
+  test("shows its torsional vibration, and says once what holds of both", async ({ studio, page }) => {
+    await page.goto(studio.address);
+    await opened(page);
+    await newEngine(page, "square four", "square four, two geared counter-turning cranks");
+    await page.getByRole("button", { name: "Typical values for all that is missing" }).click();
+    await page.getByRole("tab", { name: "Results" }).click();
+    await page
+      .getByRole("navigation", { name: "Kinds of results" })
+      .getByRole("button", { name: "Torsional vibration" })
+      .click();
+    const criticals = page.getByRole("region", { name: "Critical speeds" });
+    await expect(criticals).toBeVisible({ timeout: 30_000 });
+    const notes = await criticals.getByRole("listitem").allInnerTexts();
+    expect(notes.length).toBeGreaterThan(1);
+    expect(new Set(notes).size).toBe(notes.length);
+    // The page goes on: nothing of it fell over.
+    await page.getByRole("tab", { name: "Engine" }).click();
+    await expect(page.getByRole("region", { name: "Engine as a form" })).toBeVisible();
   });
 });
 
