@@ -90,7 +90,7 @@ pub use robust_balance::{MOST_ENGINES, RobustError, RobustOptions, robust_balanc
 pub use running::{Running, is_running, running};
 pub use sample_study::{SampleStudy, SavedScatter};
 pub use scene::{Scene, SceneKind, SceneMesh, SceneMotion, ScenePart, scene};
-pub use simulation::{RunLength, SimulateRequest, simulate, simulate_watched, simulation_beside};
+pub use simulation::{RunLength, RunStart, SimulateRequest, simulate, simulate_watched, simulation_beside};
 pub use stress::*;
 pub use torque_files::{TorqueFileError, give_torques, torque_file_names};
 pub use torque_report::{

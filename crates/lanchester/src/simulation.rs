@@ -20,7 +20,7 @@ use lanchester_model::{Action, MainSharing, NamedPoint};
 use lanchester_multibody::{BlockMotion, GasPressure, MainRule, Motion, Occasion, Run, RunOutcome, RunState};
 use lanchester_report::{PeriodSummary, PeriodicResult, PointMotion, SIMULATION_VERSION, SimulationResult};
 use nalgebra::Vector3;
-pub use plan::SimulateRequest;
+pub use plan::{RunStart, SimulateRequest};
 use std::f64::consts::PI;
 
 /// Simulates `engine`; `traces` holds the files that [`crate::trace_names`] names.

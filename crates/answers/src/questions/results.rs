@@ -7,8 +7,9 @@ use crate::questions::reading::{engine, engine_file};
 use lanchester::film::Cavitation;
 use lanchester::mechanism::{
     BearingLoads, BearingPart, BearingRequest, InternalMoments, InternalRequest, LoadRequest, Loads,
-    MotionTrace, MountStudy, TorqueRequest, internal_cases, loads,
+    MotionTrace, MountStudy, TorqueRequest, internal_cases, loads, motion,
 };
+use lanchester::model::{Engine, SpeedRange};
 use lanchester::results::Trace;
 use lanchester::study::compare::{Comparison, Equal, Held};
 use lanchester::{
@@ -17,6 +18,7 @@ use lanchester::{
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use std::f64::consts::PI;
 
 /// Angles a revolution of shear forces and bending moments.
 const INTERNAL_ANGLES: usize = 72;
@@ -131,6 +133,12 @@ struct CompareQuestion {
     /// What a similar engine keeps; the speed where it is left out.
     #[serde(default)]
     hold: Option<Hold>,
+    /// Speed of crankshaft 1 of all engines [rad/s]; the highest of each where it is left out.
+    #[serde(default)]
+    speed: Option<f64>,
+    /// Mean piston speed of all engines [m/s], in the place of the speed.
+    #[serde(default)]
+    piston_speed: Option<f64>,
     /// Place of the one with which the others are compared, from 0.
     #[serde(default)]
     reference: usize,
@@ -266,10 +274,22 @@ fn compared(asker: &Asker, question: CompareQuestion) -> Result<Comparison, Prob
     let entry = |named: &NamedEngine| {
         let mut file = asker.studio.with_torques(engine_file(&named.text)?)?;
         let traces = asker.studio.traces(&file.engine)?;
+        let speed = match question.piston_speed {
+            None => None,
+            Some(speed) => Some(speed_at_piston_speed(&file.engine, speed)?),
+        };
         file.engine = file
             .engine
-            .with(|parts| parts.name.clone_from(&named.name))
-            .expect("invariant: an engine may have any name");
+            .with(|parts| {
+                parts.name.clone_from(&named.name);
+                if let Some(highest) = speed {
+                    let lowest = parts.speed.lowest.min(highest);
+                    parts.speed = SpeedRange { lowest, highest };
+                }
+            })
+            .map_err(|faults| {
+                Problem::refused(faults.first().map_or_else(String::new, ToString::to_string))
+            })?;
         Ok(CompareEntry { file, traces, with: ComparedWith::OwnDevices })
     };
     let entries = question.engines.iter().map(entry).collect::<Result<Vec<_>, Problem>>()?;
@@ -283,8 +303,23 @@ fn compared(asker: &Asker, question: CompareQuestion) -> Result<Comparison, Prob
             None | Some(Hold::Speed) => Held::Speed,
             Some(Hold::PistonSpeed) => Held::PistonSpeed,
         },
+        speed: question.speed.filter(|_| question.piston_speed.is_none()),
         reference: question.reference,
         ..CompareRequest::default()
     };
     compare(&entries, &request).map_err(Problem::refused)
+}
+
+/// Speed of crankshaft 1 [rad/s] at which the pistons have this mean speed [m/s], that of the longest stroke.
+fn speed_at_piston_speed(engine: &Engine, piston_speed: f64) -> Result<f64, Problem> {
+    let strokes =
+        motion(engine, &LoadRequest { samples: 1, ..LoadRequest::default() }).map_err(Problem::refused)?;
+    let longest = strokes.iter().map(|motion| motion.stroke).fold(0.0, f64::max);
+    let speed = PI * piston_speed / longest;
+    if !(speed > 0.0 && speed.is_finite()) {
+        return Err(Problem::refused(format!(
+            "the mean piston speed must be above 0 and the engine must have a stroke, got {piston_speed} m/s and {longest} m"
+        )));
+    }
+    Ok(speed)
 }

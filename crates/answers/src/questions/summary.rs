@@ -1,8 +1,9 @@
 //! The engine in short: what the page shows always, and its devices with the keys that say them.
 
-use lanchester::file::{EngineFile, file_entries};
+use lanchester::file::{EngineFile, FileEntry, file_entries};
 use lanchester::mechanism::{LoadRequest, motion};
 use lanchester::model::Engine;
+use lanchester::{RunStart, SimulateRequest};
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::f64::consts::PI;
@@ -32,6 +33,19 @@ pub(crate) struct EngineSummary {
     has_shape_task: bool,
     has_balance: bool,
     has_envelope: bool,
+    /// Where a run in time starts.
+    run_start: RunStarts,
+}
+
+/// Where a run in time starts, by the drive that it is asked for.
+#[derive(Debug, Serialize, JsonSchema)]
+struct RunStarts {
+    /// With the drive of the file.
+    given: RunStart,
+    /// At free speed.
+    free: RunStart,
+    /// At imposed speed.
+    imposed: RunStart,
 }
 
 /// A weight.
@@ -44,6 +58,10 @@ struct DeviceSummary {
     unbalance: f64,
     /// Direction at theta = 0 [rad]: of a counterweight in the frame of its crankshaft, of a shaft's weight in the engine's.
     angle: f64,
+    /// Its direction as the file counts it [rad]: from its throw, or from the zero of its crankshaft or shaft.
+    direction: f64,
+    /// The throw from which the file counts its direction, from 1.
+    from_throw: Option<usize>,
     /// Plane [m].
     z: f64,
     /// Whether it is a part with a shape.
@@ -82,13 +100,21 @@ pub(crate) fn summary(file: &EngineFile, text: &str) -> EngineSummary {
     // Entries of a list come in the order of the file, behind what the short form makes.
     let given = count("counterweight");
     let first = engine.counterweights.len().saturating_sub(given);
-    let counterweights = engine.counterweights.iter().enumerate().map(|(index, weight)| DeviceSummary {
-        name: weight.name.clone(),
-        path: index.checked_sub(first).map(|entry| format!("counterweight[{entry}]")),
-        unbalance: weight.unbalance,
-        angle: weight.angle,
-        z: weight.z,
-        has_part: weight.part.is_some(),
+    let counterweights = engine.counterweights.iter().enumerate().map(|(index, weight)| {
+        let path = index.checked_sub(first).map(|entry| format!("counterweight[{entry}]"));
+        let from_throw = throw_of(path.as_deref(), &weight.name, &entries);
+        let zero = from_throw.and_then(|throw| engine.throws.get(throw - 1)).map_or(0.0, |throw| throw.angle);
+        let angle = weight.part.as_ref().map_or(weight.angle, |part| part.angle);
+        DeviceSummary {
+            name: weight.name.clone(),
+            path,
+            unbalance: weight.unbalance,
+            angle: weight.angle,
+            direction: angle - zero,
+            from_throw,
+            z: weight.z,
+            has_part: weight.part.is_some(),
+        }
     });
     let given = count("shaft");
     let first = engine.shafts.len().saturating_sub(given);
@@ -99,6 +125,8 @@ pub(crate) fn summary(file: &EngineFile, text: &str) -> EngineSummary {
             path: path.as_ref().map(|path| format!("{path}.weights[{number}]")),
             unbalance: weight.unbalance,
             angle: weight.phase,
+            direction: weight.phase,
+            from_throw: None,
             z: weight.z,
             has_part: weight.part.is_some(),
         });
@@ -129,7 +157,27 @@ pub(crate) fn summary(file: &EngineFile, text: &str) -> EngineSummary {
         has_shape_task: tasks.shape_task.is_some(),
         has_balance: tasks.balance.is_some(),
         has_envelope: engine.envelope.is_some(),
+        run_start: {
+            let input = tasks.simulation.as_deref();
+            let start = |imposed| {
+                RunStart::of(engine, input, &SimulateRequest { imposed, ..SimulateRequest::default() })
+            };
+            RunStarts { given: start(None), free: start(Some(false)), imposed: start(Some(true)) }
+        },
     }
+}
+
+/// The throw from which a counterweight's direction counts, from 1: that of its entry, or of its name in the short form.
+fn throw_of(path: Option<&str>, name: &str, entries: &[FileEntry]) -> Option<usize> {
+    let number = |key: &str| match path {
+        Some(path) => {
+            let own = format!("{path}.{key}");
+            let value = &entries.iter().find(|entry| entry.path == own)?.value;
+            usize::try_from(value.as_u64()?).ok()
+        }
+        None => name.strip_prefix(key)?.strip_prefix(' ')?.parse().ok(),
+    };
+    number("throw").or_else(|| Some(number("web")?.div_ceil(2))).filter(|throw| *throw > 0)
 }
 
 /// Swept volume [m^3]; 0 where a bore is not known or a linkage does not turn.

@@ -10,6 +10,7 @@ use lanchester_multibody::{
     BlockMotion, BlockStart, Drive, Duration, Event, Guidance, LoadLaw, MultibodyError, ReactsOn,
     STANDARD_GRAVITY, Simulation, Train,
 };
+use serde::Serialize;
 use std::f64::consts::TAU;
 
 /// What to simulate; where it says nothing, the engine file does, and then a default.
@@ -74,6 +75,39 @@ pub(crate) fn action_words(action: &Action) -> String {
     }
 }
 
+/// Where a run starts: speed of crankshaft 1 [rad/s] and crank angle [rad].
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
+pub struct RunStart {
+    /// Speed of crankshaft 1 [rad/s].
+    pub speed: f64,
+    /// Crank angle [rad].
+    pub angle: f64,
+}
+
+impl RunStart {
+    /// Of a run that the request asks of the engine, by what its file says.
+    pub fn of(engine: &Engine, input: Option<&SimulationInput>, request: &SimulateRequest) -> RunStart {
+        let none = SimulationInput::default();
+        let input = input.unwrap_or(&none);
+        let first = profile(input, request).and_then(|profile| profile.first()).map(|point| point[1]);
+        RunStart {
+            speed: request.speed.or(first).or(input.start_speed).unwrap_or(engine.speed.highest),
+            angle: request.start_angle.or(input.start_angle).unwrap_or(0.0),
+        }
+    }
+}
+
+/// Whether the speed is imposed.
+fn is_imposed(input: &SimulationInput, request: &SimulateRequest) -> bool {
+    request.imposed.unwrap_or(input.speed == Some(SpeedKind::Imposed))
+}
+
+/// The imposed speed of the file over time, where the run follows it.
+fn profile<'a>(input: &'a SimulationInput, request: &SimulateRequest) -> Option<&'a [[f64; 2]]> {
+    let follows = is_imposed(input, request) && request.speed.is_none() && !input.imposed.is_empty();
+    follows.then_some(&input.imposed)
+}
+
 /// The plan of a run of `train`, which is that of `engine`.
 pub(crate) fn plan(
     engine: &Engine,
@@ -84,10 +118,9 @@ pub(crate) fn plan(
     let none = SimulationInput::default();
     let input = input.unwrap_or(&none);
     let mut notes = Vec::new();
-    let imposed = request.imposed.unwrap_or(input.speed == Some(SpeedKind::Imposed));
-    let has_profile = imposed && request.speed.is_none() && !input.imposed.is_empty();
-    let first = input.imposed.first().filter(|_| has_profile).map(|point| point[1]);
-    let speed = request.speed.or(first).or(input.start_speed).unwrap_or(engine.speed.highest);
+    let imposed = is_imposed(input, request);
+    let has_profile = profile(input, request).is_some();
+    let RunStart { speed, angle } = RunStart::of(engine, Some(input), request);
     let mut simulation = Simulation::free(speed, 1.0);
     if imposed {
         let against = input.imposed_against.unwrap_or(ImposedAgainst::Block);
@@ -106,7 +139,7 @@ pub(crate) fn plan(
         RunLength::Time(time) => simulation.duration = Duration::Time(time),
         RunLength::Periodic => {}
     }
-    simulation.start_angle = request.start_angle.or(input.start_angle).unwrap_or(0.0);
+    simulation.start_angle = angle;
     let asked = request.step.or(input.step).unwrap_or(simulation.step);
     let (step, every) = sample_step(asked, &simulation, engine.speed.highest, &mut notes);
     simulation.step = step;

@@ -1,6 +1,7 @@
 // The Balance tab: devices, optimum with its proof, arrangements.
 
 import type { Page } from "@playwright/test";
+import { newEngine, opened } from "./page";
 import { points } from "./points";
 import { expect, test } from "./server";
 
@@ -168,4 +169,33 @@ test.describe("the short form", () => {
     await expect(page.getByRole("article", { name: /^Counterweight/ })).toHaveCount(8);
     await expect(force(page)).toHaveText(before);
   });
+});
+
+test("directions count from the throw, the same before and after they are adopted", async ({
+  studio,
+  page,
+}) => {
+  await page.goto(studio.address);
+  await opened(page);
+  await newEngine(page, "inline three", "in-line three");
+  await page.getByRole("tab", { name: "Balance" }).click();
+  const slider = (name: string) =>
+    card(page, `Counterweight ${name}`).getByRole("slider", { name: "Direction from the throw" });
+  for (const name of ["throw 1", "throw 2", "throw 3"]) await expect(slider(name)).toHaveValue("180");
+  await page.getByRole("button", { name: "Optimise", exact: true }).click();
+  const answer = page.getByRole("region", { name: "Optimise" });
+  const cells = answer.getByRole("row", { name: /^throw/ }).locator("td:last-child");
+  await expect(cells).toHaveText([/^179\.1° from throw$/, /^180\.0° from throw$/, /^180\.9° from throw$/]);
+  await answer.getByRole("button", { name: "Adopt" }).click();
+  for (const [name, degrees] of Object.entries({ "throw 1": 179.1, "throw 2": 180, "throw 3": 180.9 }))
+    await expect(slider(name)).toHaveAttribute("aria-valuetext", `${degrees} degrees from the throw`);
+  // What the field shows where the file says nothing is what it means: typed in, nothing changes.
+  const before = await force(page).innerText();
+  const field = page.getByRole("textbox", { name: "Direction of throw 2" });
+  await field.fill((await field.getAttribute("placeholder")) ?? "");
+  await field.press("Enter");
+  await expect
+    .poll(() => page.getByRole("button", { name: /^Undo/ }).getAttribute("aria-label"))
+    .toContain("throw 2");
+  await expect(force(page)).toHaveText(before);
 });

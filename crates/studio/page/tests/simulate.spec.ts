@@ -36,6 +36,21 @@ test("the path of a point, and the teeth of the balancer", async ({ studio, page
   await expect(page.getByText(/Orbits? of .* in the last period/)).toHaveCount(1);
 });
 
+test("the speed at the start is that of the run", async ({ studio, page }) => {
+  // Its section [simulation] ends the file.
+  const start = 'start = { speed = "3700 rpm", angle = "45 deg" }';
+  await studio.write(`${(await studio.read()).trimEnd()}\n${start}\n`);
+  await page.goto(studio.address);
+  await opened(page);
+  await page.getByRole("tab", { name: "Simulate" }).click();
+  const speed = page.getByRole("spinbutton", { name: "Speed at the start" });
+  await expect(speed).toHaveAttribute("placeholder", "3700");
+  await expect(page.getByRole("spinbutton", { name: "Crank angle at the start" })).toHaveAttribute(
+    "placeholder",
+    "45",
+  );
+});
+
 /** Words of selects for which there is no room. */
 function cut(page: Page): Promise<string[]> {
   return page.getByRole("tabpanel").evaluate((panel) => {

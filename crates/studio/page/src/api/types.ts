@@ -889,8 +889,12 @@ export type CompareQuestion = {
   equal: EqualIn | null;
   /** What a similar engine keeps; the speed where it is left out. */
   hold: Hold | null;
+  /** Mean piston speed of all engines [m/s], in the place of the speed. */
+  piston_speed: number | null;
   /** Place of the one with which the others are compared, from 0. */
   reference: number;
+  /** Speed of crankshaft 1 of all engines [rad/s]; the highest of each where it is left out. */
+  speed: number | null;
 };
 
 /** One engine of a comparison, in the size in which it is compared. */
@@ -1568,6 +1572,10 @@ export type Deviation = {
 export type DeviceSummary = {
   /** Direction at theta = 0 [rad]: of a counterweight in the frame of its crankshaft, of a shaft's weight in the engine's. */
   angle: number;
+  /** Its direction as the file counts it [rad]: from its throw, or from the zero of its crankshaft or shaft. */
+  direction: number;
+  /** The throw from which the file counts its direction, from 1. */
+  from_throw: number | null;
   /** Whether it is a part with a shape. */
   has_part: boolean;
   name: string;
@@ -1819,6 +1827,8 @@ export type EngineSummary = {
   name: string;
   /** Angle of crankshaft 1 after which the firing repeats [rad]. */
   period: number;
+  /** Where a run in time starts. */
+  run_start: RunStarts;
   shafts: ShaftSummary[];
   strokes: number;
 };
@@ -3779,6 +3789,24 @@ export type RunExtreme = {
   unit: string;
   /** Over the whole run. */
   value: number;
+};
+
+/** Where a run starts: speed of crankshaft 1 [rad/s] and crank angle [rad]. */
+export type RunStart = {
+  /** Crank angle [rad]. */
+  angle: number;
+  /** Speed of crankshaft 1 [rad/s]. */
+  speed: number;
+};
+
+/** Where a run in time starts, by the drive that it is asked for. */
+export type RunStarts = {
+  /** At free speed. */
+  free: RunStart;
+  /** With the drive of the file. */
+  given: RunStart;
+  /** At imposed speed. */
+  imposed: RunStart;
 };
 
 /** What is saved. */

@@ -19,6 +19,8 @@ const weight = (path: string | null): DeviceSummary => ({
   path,
   unbalance: 1,
   angle: 0,
+  direction: 0,
+  from_throw: 1,
   z: 0,
   has_part: false,
 });

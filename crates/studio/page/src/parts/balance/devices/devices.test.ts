@@ -1,16 +1,36 @@
 import { describe, expect, it } from "vitest";
 import type { DeviceSummary, EngineSummary } from "../../../api/types";
-import { amountEdit, apart, baseOf, degrees, direction, directionEdit, parted, roof, seat } from "./devices";
+import {
+  amountEdit,
+  apart,
+  baseOf,
+  counted,
+  degrees,
+  direction,
+  directionEdit,
+  directionOf,
+  parted,
+  roof,
+  seat,
+} from "./devices";
 
 const weight: DeviceSummary = {
   name: "web 1",
   path: "counterweight[0]",
   unbalance: 0.08876,
   angle: 2.617993877991494,
+  direction: 2.617993877991494,
+  from_throw: 1,
   z: -0.127,
   has_part: false,
 };
-const shaft: DeviceSummary = { ...weight, name: "left 1", path: "shaft[0].weights[1]", unbalance: 0 };
+const shaft: DeviceSummary = {
+  ...weight,
+  from_throw: null,
+  name: "left 1",
+  path: "shaft[0].weights[1]",
+  unbalance: 0,
+};
 
 describe("quantities as typed", () => {
   it("are parted into number and unit", () => {
@@ -65,6 +85,20 @@ describe("directions", () => {
     expect(direction(weight, () => "-30 deg")).toBe(330);
     expect(direction(weight, () => "0.5 rad")).toBe(150);
     expect(direction(weight, () => undefined)).toBe(150);
+  });
+
+  it("count from the throw, also where nothing is typed", () => {
+    // Opposite its throw, which stands at 240 degrees.
+    const third = { ...weight, name: "throw 3", angle: Math.PI / 3, direction: Math.PI, from_throw: 3 };
+    expect(direction(third, () => undefined)).toBe(180);
+    expect(counted(third).words).toBe("from the throw");
+    expect(directionOf("throw 3", Math.PI / 3 + 0.01, [weight, third])).toEqual({
+      degrees: 180.6,
+      from: "from throw",
+    });
+    expect(directionOf("throw 4", 0, [third])).toBeUndefined();
+    expect(counted(shaft).short).toBe("from x");
+    expect(counted({ ...weight, from_throw: null }).short).toBe("from zero");
   });
 
   it("go into the key of the device", () => {

@@ -67,7 +67,26 @@ export function degrees(angle: number): number {
 /** Direction of a device as the file counts it [degrees]: what was typed, where that is in degrees. */
 export function direction(device: DeviceSummary, written: Written): number {
   const parts = parted(written(`${device.path}.${directionKey(device)}`));
-  return parts?.unit === "deg" ? degrees((parts.number * Math.PI) / 180) : degrees(device.angle);
+  return parts?.unit === "deg" ? degrees((parts.number * Math.PI) / 180) : degrees(device.direction);
+}
+
+/** From where the file counts the direction of a device, in words, and as short as a slider has room for. */
+export function counted(device: DeviceSummary): { words: string; short: string } {
+  if (device.from_throw !== null) return { words: "from the throw", short: "from throw" };
+  return device.path?.startsWith("shaft")
+    ? { words: "from x at crank angle 0", short: "from x" }
+    : { words: "from the zero of the crankshaft", short: "from zero" };
+}
+
+/** A direction at crank angle 0 [rad], counted as the file counts that of the device with `name`. */
+export function directionOf(
+  name: string,
+  absolute: number,
+  devices: readonly DeviceSummary[],
+): { degrees: number; from: string } | undefined {
+  const device = devices.find((one) => one.name === name);
+  if (!device) return undefined;
+  return { degrees: degrees(absolute - device.angle + device.direction), from: counted(device).short };
 }
 
 export function directionEdit(device: DeviceSummary, degree: number): Edit | undefined {
@@ -83,6 +102,16 @@ export function seat(device: DeviceSummary, written: Written): string {
     if (number !== undefined) return `${key} ${String(number)}`;
   }
   return "";
+}
+
+/** Farthest weight from the middle [m]: the planes of a shaft that fights a couple. */
+export function reach(engine: EngineSummary): number {
+  return Math.max(0.04, ...engine.counterweights.map((device) => Math.abs(device.z)));
+}
+
+/** Every weight of an engine. */
+export function devicesOf(engine: EngineSummary | null | undefined): DeviceSummary[] {
+  return engine ? [...engine.counterweights, ...engine.shafts.flatMap((shaft) => shaft.weights)] : [];
 }
 
 /** Weights of the short form as entries of their own: opposite their throws as there, at the same places and as heavy. */
