@@ -1,5 +1,6 @@
 // Files: save and conflicts, two windows, a server that goes and comes back, states as links and files.
 
+import type { Page } from "@playwright/test";
 import { readFile } from "node:fs/promises";
 import { field, figure, newEngine, opened, text, type } from "./page";
 import { expect, test } from "./server";
@@ -315,4 +316,64 @@ test("a state as a file is opened again", async ({ page }, info) => {
   await page.getByRole("button", { name: "Open", exact: true }).click();
   await page.getByLabel("File from this computer").setInputFiles(state);
   await expect(field(page, "rod.length")).toHaveValue("155 mm");
+});
+
+test.describe("a draft", () => {
+  /** As a user who is asked whether to leave, and does. */
+  async function reload(page: Page) {
+    await page.reload();
+    await opened(page);
+  }
+
+  test.beforeEach(({ page }) => {
+    page.on("dialog", (question) => void question.accept());
+  });
+
+  test("survives a reload, and is let go", async ({ studio, page }) => {
+    const saved = await studio.read();
+    await type(page, "rod.length", "155 mm");
+    await expect(page.locator(".unsaved")).toBeVisible();
+    await reload(page);
+    await expect(field(page, "rod.length")).toHaveValue("155 mm");
+    await expect(page.getByText("Your unsaved changes are back")).toBeVisible();
+    expect(await studio.read()).toBe(saved);
+    await page.getByRole("button", { name: "Discard draft" }).click();
+    await expect(field(page, "rod.length")).toHaveValue("150 mm");
+    await expect(page.locator(".unsaved")).toBeHidden();
+    await reload(page);
+    await expect(field(page, "rod.length")).toHaveValue("150 mm");
+    await expect(page.getByText("Your unsaved changes are back")).toBeHidden();
+  });
+
+  test("of an engine without a file survives too, and saving ends it", async ({ studio, page }) => {
+    await newEngine(page, "single", "single, four-stroke, crank counterweight of 50 %");
+    await type(page, "rod.length", "133 mm");
+    await reload(page);
+    await expect(field(page, "rod.length")).toHaveValue("133 mm");
+    await page.keyboard.press("Control+s");
+    const dialog = page.getByRole("dialog", { name: "Save as" });
+    await dialog.getByLabel("Name of the file").fill("mine");
+    await dialog.getByRole("button", { name: "Save", exact: true }).click();
+    await expect(page.getByText("Saved mine.toml")).toBeVisible();
+    await expect(page.getByText("Your unsaved changes are back")).toBeHidden();
+    expect(await studio.read("mine.toml")).toContain('length = "133 mm"');
+    await reload(page);
+    await expect(page.getByRole("button", { name: "Discard draft" })).toHaveCount(0);
+  });
+
+  test("does not go over a file that is newer than it, unless it is told to", async ({ studio, page }) => {
+    await type(page, "rod.length", "155 mm");
+    await expect(page.locator(".unsaved")).toBeVisible();
+    const theirs = (await studio.read()).replace('length = "150 mm"', 'length = "149 mm"');
+    await studio.write(theirs);
+    await expect(page.getByText("Another program changed in-line-3.toml")).toBeVisible();
+    await reload(page);
+    await expect(field(page, "rod.length")).toHaveValue("149 mm");
+    await expect(page.getByText("The file changed on the disk since.")).toBeVisible();
+    await page.getByRole("button", { name: "Take up the draft" }).click();
+    await expect(field(page, "rod.length")).toHaveValue("155 mm");
+    expect(await studio.read()).toBe(theirs);
+    await page.getByRole("button", { name: /^Undo/ }).click();
+    await expect(field(page, "rod.length")).toHaveValue("149 mm");
+  });
 });
