@@ -4,6 +4,7 @@ import type { KeyTable, TemplateInfo } from "../../api/types";
 import { SECTIONS, type Section } from "../results/look.svelte";
 import { STUDIES, type Study } from "../studies/studies.svelte";
 import { TERMS } from "../terms/terms";
+import { usualNames } from "./gallery";
 import { plain, stems } from "./words";
 import type { Tab } from "../../state/view.svelte";
 
@@ -91,7 +92,7 @@ export function entries(templates: readonly TemplateInfo[], tables: readonly Key
   const engines = templates.map((template): Entry => ({
     name: template.title,
     about: "Engine of the gallery",
-    also: template.name,
+    also: `${template.name} ${usualNames(template.name)}`,
     goal: { kind: "engine", template },
   }));
   const terms = TERMS.map(({ name, also, words }): Entry => ({
