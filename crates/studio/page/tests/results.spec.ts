@@ -3,6 +3,7 @@
 import type { Download, Locator, Page } from "@playwright/test";
 import { mkdir, readFile, writeFile } from "node:fs/promises";
 import type { Loads, MountStudy } from "../src/api/types";
+import { newEngine, opened, text as written } from "./page";
 import { expect, test, type Studio } from "./server";
 
 test.use({ example: "in-line-4-mounts.toml" });
@@ -442,4 +443,77 @@ test("the strongest number is first, for what is chosen", async ({ studio, page 
   await page.getByRole("radio", { name: "Peaks on the block" }).check({ force: true });
   await page.getByLabel("every part by itself").check();
   await expect(force).toContainText("throw angle 1");
+});
+
+test.describe("an in-line three", () => {
+  test.use({ example: "in-line-3.toml" });
+
+  test("a finding of the diagnosis puts its remedy into the file, and undo takes it out", async ({
+    studio,
+    page,
+  }) => {
+    await page.goto(studio.address);
+    await opened(page);
+    await newEngine(page, "inline three", "in-line three");
+    const before = await written(page);
+    expect(before).not.toContain("[[shaft]]");
+    await page.getByRole("tab", { name: "Results" }).click();
+    const diagnosis = page.getByRole("region", { name: "What shakes, and what removes it" });
+    const against = diagnosis.getByRole("button", { name: "Add shaft, against the crank, two planes" });
+    await against.click();
+    await expect(page.getByText("Add shaft, against the crank, two planes: done")).toBeVisible();
+    await expect(against).toHaveCount(0);
+    await page.getByRole("tab", { name: "Engine" }).click();
+    await expect.poll(() => written(page)).toContain("[[shaft]]");
+    await page.getByRole("button", { name: "Undo: Add shaft" }).click();
+    await expect.poll(() => written(page)).toBe(before);
+  });
+
+  test("what is missing leads to its field on the Engine tab", async ({ studio, page }) => {
+    await page.goto(studio.address);
+    await opened(page);
+    const sections = page.getByRole("navigation", { name: "Kinds of results" });
+    for (const [section, path] of [
+      ["Mounts", "mount"],
+      ["Torsional vibration", "torsion"],
+      ["Stress", "crank.body"],
+    ] as const) {
+      await page.getByRole("tab", { name: "Results" }).click();
+      await sections.getByRole("button", { name: section, exact: true }).click();
+      await page.getByRole("button", { name: "Add it on the Engine tab" }).click();
+      const own = page.locator(`[data-section="${path}"]`);
+      await expect(own).toBeVisible();
+      await expect.poll(() => own.evaluate((part) => part.contains(document.activeElement)), path).toBe(true);
+      await expect(page.locator(":focus")).toBeInViewport();
+    }
+  });
+
+  test("stars turn with the crank, and cylinders can be switched off", async ({ studio, page }) => {
+    await page.goto(studio.address);
+    await page.getByRole("tab", { name: "Results" }).click();
+    const star = page.locator('figure[data-plot="Order 1 with the crank"]');
+    await star.scrollIntoViewIfNeeded();
+    const arrows = star.locator("path.arrow");
+    await expect(arrows.first()).toBeVisible();
+    const count = await arrows.count();
+    const shape = () => arrows.evaluateAll((all) => all.map((one) => one.getAttribute("d")));
+    const still = await shape();
+    const crank = page.getByRole("group", { name: "Crank angle" });
+    await crank.getByRole("slider").first().fill("90");
+    await expect.poll(shape).not.toEqual(still);
+    await crank.getByRole("slider").first().fill("360");
+    await expect.poll(shape).toEqual(still);
+    await crank.getByRole("button", { name: "Turn" }).click();
+    await expect.poll(shape).not.toEqual(still);
+    await crank.getByRole("button", { name: "Stop" }).click();
+    // Without a cylinder the arrows of the others no longer cancel: that of the engine comes.
+    await page
+      .getByRole("group", { name: "Cylinders in the stars" })
+      .getByRole("button", { name: "2", exact: true })
+      .click();
+    await expect(page.getByText("without cylinder 2")).toBeVisible();
+    await expect(star.locator("text", { hasText: /^2$/ })).toHaveCount(0);
+    await page.getByRole("button", { name: "All on" }).click();
+    await expect(arrows).toHaveCount(count);
+  });
 });

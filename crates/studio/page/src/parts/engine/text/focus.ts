@@ -3,14 +3,37 @@
 import { tick } from "svelte";
 import { view } from "../../../state/view.svelte";
 
-/** Shows the Engine tab and puts the focus into the field of `path`; `false` where the form has none. */
+/** Shows the Engine tab and puts the focus into the field of `path`, or the first of that section; `false` where the form has none. */
 export async function focusField(path: string): Promise<boolean> {
   view.tab = "engine";
   await tick();
   document.dispatchEvent(new CustomEvent("lanchester-field", { detail: path }));
   await tick();
   const field = document.querySelector<HTMLElement>(`[data-path="${CSS.escape(path)}"]`);
+  if (!field) return focusSection(path);
+  show(field);
+  return true;
+}
+
+/** The first field of a section, or what adds one; `false` where the form has no such section. */
+async function focusSection(path: string): Promise<boolean> {
+  const section = document.querySelector<HTMLElement>(`[data-section="${CSS.escape(path)}"]`);
+  if (!section) return false;
+  const first = (wanted: string) => section.querySelector<HTMLElement>(wanted);
+  const toggle = first('button.toggle[aria-expanded="false"]');
+  // Where nothing is given yet the keys that can be are listed at once.
+  if (!first("[data-path]") && toggle) {
+    toggle.click();
+    await tick();
+  }
+  const field = first("[data-path]") ?? toggle ?? first("button.add") ?? first("button");
   if (!field) return false;
+  show(field);
+  return true;
+}
+
+/** Opens the parts of the form around a field, and leads eye and keyboard to it. */
+function show(field: HTMLElement) {
   for (
     let around = field.closest("details");
     around;
@@ -19,7 +42,6 @@ export async function focusField(path: string): Promise<boolean> {
     around.open = true;
   field.focus({ preventScroll: true });
   field.scrollIntoView({ block: "center", behavior: "auto" });
-  return true;
 }
 
 /** The focus stays on the tab when what had it has done its work and is gone. */
