@@ -1,6 +1,7 @@
 import { describe, expect, it } from "vitest";
 import { areaPath, barsPath, dotsPath, headPath, linePath, spacing } from "./path";
 import { pixelMap } from "./scale";
+import { dashed, type Series } from "./series";
 
 const one = pixelMap([0, 1], 0, 1);
 const down = pixelMap([0, 100], 100, 0);
@@ -43,5 +44,34 @@ describe("spacing", () => {
       ]),
     ).toBeCloseTo(0.5);
     expect(spacing([[3]])).toBe(Infinity);
+  });
+});
+
+describe("curves of one plot", () => {
+  const line = (name: string, more: Partial<Series> = {}): Series => ({
+    name,
+    x: [],
+    y: [],
+    colour: 3,
+    ...more,
+  });
+
+  it("differ in their dashes, whatever their colours; the first is drawn through", () => {
+    const dashes = dashed(["a", "b", "c", "d", "e", "f", "g"].map((name) => line(name))).map(
+      (one) => one.dash,
+    );
+    expect(dashes[0]).toBeUndefined();
+    expect(new Set(dashes).size).toBe(7);
+  });
+
+  it("leave dashes that mean something, and what is no curve", () => {
+    const ghost = line("before", { dash: "8 3" });
+    const bars = line("bars", { kind: "bars" });
+    const [one, two, three, four] = dashed([ghost, line("now"), bars, line("other")]);
+    expect(one).toBe(ghost);
+    expect(two?.dash).toBeUndefined();
+    expect(three).toBe(bars);
+    expect(four?.dash).toBeTruthy();
+    expect(four?.dash).not.toBe("8 3");
   });
 });
