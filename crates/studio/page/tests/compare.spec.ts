@@ -1,6 +1,6 @@
 // The tabs Compare and Studies: pinned states beside the current one, and studies of many engines.
 
-import { readFile } from "node:fs/promises";
+import { readFile, writeFile } from "node:fs/promises";
 import { resolve } from "node:path";
 import type { Page } from "@playwright/test";
 import { deflateRawSync } from "node:zlib";
@@ -37,11 +37,11 @@ const figures = (page: Page, title: string) => page.locator(`figure[data-plot="$
 test("without pins the tab says what it is for, and a state is pinned", async ({ page, studio }) => {
   await page.goto(studio.address);
   await page.getByRole("tab", { name: "Compare" }).click();
-  await expect(page.getByText(/Pin the state you have/)).toBeVisible();
+  await expect(page.getByText(/pin the state you have/)).toBeVisible();
   await page.getByRole("button", { name: "Pin this state" }).click();
   await expect(page.getByRole("textbox", { name: /Name of the pinned state/ })).toHaveCount(1);
   await expect(page.getByRole("heading", { name: "Headline numbers" })).toBeVisible();
-  await expect(page.getByText(/Pin the state you have/)).toHaveCount(0);
+  await expect(page.getByText(/pin the state you have/)).toHaveCount(0);
 });
 
 test("states are overlaid in curves, paths, spectra and numbers", async ({ page, studio }) => {
@@ -228,4 +228,46 @@ test.describe("studies", () => {
     await expect(corrections).toContainText("Corrections");
     await expect(corrections).toContainText("842.5");
   });
+});
+
+test("engines are added beside the current one, at one speed or one piston speed, with what they cost", async ({
+  page,
+  studio,
+}, info) => {
+  await page.goto(studio.address);
+  await opened(page);
+  await page.getByRole("tab", { name: "Compare" }).click();
+  const add = page.getByRole("button", { name: "Add an engine …" });
+  const dialog = page.getByRole("dialog", { name: "Add an engine to compare" });
+  await add.click();
+  await dialog.getByRole("searchbox").fill("Porsche");
+  await dialog.getByRole("button", { name: "boxer six" }).click();
+  await expect(dialog).toBeHidden();
+  await add.click();
+  const path = info.outputPath("mine.toml");
+  await writeFile(
+    path,
+    'name = "mine"\n[layout]\ntype = "single"\n[crank]\nstroke = "80 mm"\n[piston]\nmass = "0.4 kg"\n[rod]\nlength = "140 mm"\n',
+  );
+  await dialog.getByLabel("Engine files from this computer").setInputFiles(path);
+  const names = page.getByRole("textbox", { name: /^Name of the pinned state/ });
+  await expect(names).toHaveCount(2);
+  await expect(names.first()).toHaveValue("boxer six");
+  await expect(names.last()).toHaveValue("mine");
+  await page.getByRole("button", { name: "Remove mine" }).click();
+
+  const ranking = page.getByRole("region", { name: "Ranking" });
+  const row = async (name: RegExp) =>
+    (await ranking.getByRole("row", { name }).locator("td").allInnerTexts()).map((cell) =>
+      Number(cell.replaceAll(/[\s\u202f]/g, "")),
+    );
+  await expect(ranking.getByRole("row", { name: "What it costs" })).toBeVisible();
+  await expect(ranking.getByRole("row", { name: /^Balance shafts/ })).toBeVisible();
+  await ranking.getByText("at one speed").click();
+  await ranking.getByRole("spinbutton", { name: "Speed of all engines" }).fill("3000");
+  await expect.poll(() => row(/^Speed/)).toEqual([3000, 3000]);
+  await ranking.getByText("at one mean piston speed").click();
+  await ranking.getByRole("spinbutton", { name: "Mean piston speed of all engines" }).fill("12");
+  await expect.poll(() => row(/^Mean piston speed/)).toEqual([12, 12]);
+  expect(new Set(await row(/^Speed/)).size).toBe(2);
 });
