@@ -5,6 +5,7 @@ mod compiled;
 mod conditions;
 mod following;
 mod held;
+mod holding;
 pub(crate) mod motion;
 mod periodic;
 mod returning;

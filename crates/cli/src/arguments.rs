@@ -110,7 +110,7 @@ pub enum Command {
     #[command(
         after_help = "Examples:\n  lanchester bearings twin.toml\n  lanchester bearings twin.toml --speed '2000 rpm' --part gas\n  \
                             lanchester bearings twin.toml --figures figures\n  \
-                            lanchester bearings twin.toml --film gumbel,reynolds\n  lanchester bearings twin.toml --film --dynamic\n  \
+                            lanchester bearings twin.toml --film gumbel,reynolds\n  lanchester bearings twin.toml --film --dynamic\n  lanchester bearings twin.toml --film --least-film '1 um'\n  \
                             lanchester bearings twin.toml --format csv > bearings.csv"
     )]
     Bearings(BearingsArguments),

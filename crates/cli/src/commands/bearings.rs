@@ -1,14 +1,14 @@
 //! `lanchester bearings`: what pistons, pins and bearings carry.
 
 use crate::commands::{json, open};
-use crate::failure::{DONE, Failure};
+use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
 use crate::figures::write_figures;
-use crate::files::print;
+use crate::files::{print, tell};
 use crate::format::Format;
 use crate::options::torque::{BearingsArguments, FilmOption, PartOption};
 use crate::requests::value_list::value_list;
 use crate::trace_files::trace_files;
-use lanchester::film::Cavitation;
+use lanchester::film::{BearingFilm, BearingKind, Cavitation, OrbitOutcome};
 use lanchester::mechanism::{BearingLoads, BearingPart, BearingRequest};
 use lanchester::model::Engine;
 use lanchester::report::{
@@ -16,7 +16,9 @@ use lanchester::report::{
     films_over_speed_figure, films_over_speed_table, films_text, words_before_tables,
 };
 use lanchester::task::option;
-use lanchester::{FilmMethod, bearing_films, bearing_films_over_speed, bearing_report, bearing_sizes};
+use lanchester::{
+    BearingFilms, FilmMethod, bearing_films, bearing_films_over_speed, bearing_report, bearing_sizes,
+};
 use serde::Serialize;
 
 /// Loads with counterweights, and without where the engine has some.
@@ -31,6 +33,10 @@ pub fn run(arguments: &BearingsArguments, colour: bool) -> Result<u8, Failure> {
     arguments.printed.check(arguments.format == Format::Text)?;
     let speed = arguments.speed.as_deref().map(|text| option::speed(text, "--speed").map_err(Failure::from));
     let speed = speed.transpose()?;
+    let wanted = match &arguments.least_film {
+        Some(text) => Some(option::length(text, "--least-film")?),
+        None => None,
+    };
     let opened = open(&arguments.file, colour)?;
     let engine = &opened.file.engine;
     let traces = trace_files(engine, &arguments.file)?;
@@ -69,7 +75,7 @@ pub fn run(arguments: &BearingsArguments, colour: bool) -> Result<u8, Failure> {
             Some(folder) => write_figures(folder, &arguments.file, figures).map(drop),
             None => Ok(()),
         };
-        let text = match &arguments.speeds {
+        let (text, found) = match &arguments.speeds {
             Some(list) => {
                 let speeds = value_list(list, "--speeds", |one| Ok(option::speed(one, "--speeds")?))?;
                 let loads = speeds.into_iter().map(|speed| loads_at(Some(speed), part, true));
@@ -90,7 +96,7 @@ pub fn run(arguments: &BearingsArguments, colour: bool) -> Result<u8, Failure> {
             Format::Csv => arguments.printed.csv(text),
             Format::Json => text,
         })?;
-        return Ok(DONE);
+        return Ok(verdict(&found, wanted));
     }
     let found = loads(part, true)?;
     let has_weights = part != BearingPart::Gas && engine.counterweights.iter().any(|w| w.unbalance > 0.0);
@@ -121,14 +127,63 @@ fn films(
     method: FilmMethod,
     format: Format,
     draw: &dyn Fn(&[Figure]) -> Result<(), Failure>,
-) -> Result<String, Failure> {
+) -> Result<(String, Vec<BearingFilms>), Failure> {
     let films = bearing_films(engine, loads, models, method).map_err(Failure::refused)?;
     draw(&film_figures(films.period, &films.films))?;
-    Ok(match format {
+    let text = match format {
         Format::Text => films_text(&films.engine, films.speed, &films.films, &films.assumptions),
         Format::Json => json(&films)?,
         Format::Csv => films_csv(films.period, &films.films),
-    })
+    };
+    Ok((text, vec![films]))
+}
+
+/// Says which film is thinner than wanted, or not one to go by.
+fn verdict(found: &[BearingFilms], wanted: Option<f64>) -> u8 {
+    let Some(wanted) = wanted else { return DONE };
+    let all = || found.iter().flat_map(|films| films.films.iter().map(|film| (films.speed, film)));
+    let place = |speed: f64, film: &BearingFilm| {
+        let kind = match film.kind {
+            BearingKind::Main => "main",
+            BearingKind::Crankpin => "big end",
+        };
+        format!(
+            "{kind} {} at {:.0} rpm, {}",
+            film.number,
+            speed * 30.0 / std::f64::consts::PI,
+            film.cavitation.name()
+        )
+    };
+    let mut status = DONE;
+    if let Some((speed, film)) = all().find(|(_, film)| film.orbit.outcome != OrbitOutcome::Periodic) {
+        tell(format_args!(
+            "the least film is not known: {}: {}",
+            place(speed, film),
+            match film.orbit.outcome {
+                OrbitOutcome::Overloaded => "the film cannot carry the load",
+                OrbitOutcome::NotPeriodic | OrbitOutcome::Periodic => "the orbit does not repeat",
+            }
+        ));
+        status = NOT_AS_EXPECTED;
+    }
+    let thickness = |film: &BearingFilm| film.orbit.least_anywhere();
+    match all().min_by(|a, b| thickness(a.1).total_cmp(&thickness(b.1))) {
+        Some((speed, film)) if thickness(film) < wanted => {
+            tell(format_args!(
+                "the least film is {:.3} um ({}), wanted are {:.3} um",
+                1e6 * thickness(film),
+                place(speed, film),
+                1e6 * wanted
+            ));
+            status = NOT_AS_EXPECTED;
+        }
+        Some(_) => {}
+        None => {
+            tell("no bearing has an oil film");
+            status = NOT_AS_EXPECTED;
+        }
+    }
+    status
 }
 
 fn films_over_speed(
@@ -138,16 +193,17 @@ fn films_over_speed(
     method: FilmMethod,
     format: Format,
     draw: &dyn Fn(&[Figure]) -> Result<(), Failure>,
-) -> Result<String, Failure> {
+) -> Result<(String, Vec<BearingFilms>), Failure> {
     let found = bearing_films_over_speed(engine, loads, models, method).map_err(Failure::refused)?;
     let by_speed: Vec<_> = found.iter().map(|films| (films.speed, films.films.as_slice())).collect();
     draw(&films_over_speed_figure(&by_speed).into_iter().collect::<Vec<_>>())?;
     let table = films_over_speed_table(&by_speed);
-    Ok(match format {
+    let text = match format {
         Format::Text => table.text(),
         Format::Json => json(&found)?,
         Format::Csv => table.csv(),
-    })
+    };
+    Ok((text, found))
 }
 
 fn model_of(option: FilmOption) -> Cavitation {

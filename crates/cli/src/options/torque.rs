@@ -103,6 +103,9 @@ pub struct BearingsArguments {
     /// With `--film`: the least films at these speeds of crankshaft 1, a list or a range, like `1000 rpm .. 6000 rpm by 250 rpm`.
     #[arg(long, value_name = "SPEEDS", requires = "film", conflicts_with = "speed")]
     pub speeds: Option<String>,
+    /// With `--film`: least film that is wanted of every bearing, model of cavitation and speed, with its unit.
+    #[arg(long, value_name = "LENGTH", requires = "film")]
+    pub least_film: Option<String>,
     /// Write polar diagrams as SVG files into this folder; with `--film` orbits and films, with `--speeds` the least films over speed.
     #[arg(long, value_name = "FOLDER")]
     pub figures: Option<PathBuf>,

@@ -1,6 +1,6 @@
 //! Torque and bearings on the command line.
 
-use crate::program::{folder, message, output, output_json};
+use crate::program::{folder, lanchester, message, output, output_json};
 use std::path::Path;
 
 const FOUR: &str = r#"name = "Four with ideal gas"
@@ -209,6 +209,21 @@ fn bearings_with_oil_films() {
     ];
     let over = output(&folder, 0, &speeds);
     assert!(over.lines().count() == 3 && over.contains("big end 4"), "{over}");
+    // A limit ends with a status, and says which film is the thinnest.
+    let asked = ["bearings", "four.toml", "--film", "--samples", "90", "--least-film"];
+    output(&folder, 0, &[&asked[..], &["0.01 um"]].concat());
+    let thin = lanchester(&folder, &[&asked[..], &["25 um"]].concat());
+    assert_eq!(thin.status.code(), Some(1));
+    assert!(String::from_utf8(thin.stdout).unwrap().contains("Oil films"));
+    let said = String::from_utf8(thin.stderr).unwrap();
+    assert!(
+        said.contains("the least film is")
+            && said.contains("wanted are 25.000 um")
+            && said.contains("rpm, gumbel"),
+        "{said}"
+    );
+    let refused = message(&folder, 2, &["bearings", "four.toml", "--least-film", "1 um"]);
+    assert!(refused.contains("--film"), "{refused}");
     // A crankshaft that floats needs a body and films that have a table.
     let refused = message(&folder, 2, &["bearings", "four.toml", "--film", "--dynamic"]);
     assert!(refused.contains("[crank.body]"), "{refused}");

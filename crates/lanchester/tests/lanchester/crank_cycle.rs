@@ -7,7 +7,8 @@ use lanchester::mechanism::{
 };
 use lanchester::model::Engine;
 use lanchester::report::{
-    Condition, CrankCycle, CrankKind, CrossVerdict, CycleLaw, CycleSpeed, crank_cycle_figures, cycle_csv,
+    Condition, CrankCycle, CrankKind, CrossVerdict, CycleLaw, CycleSpeed, crank_cycle_figures, cycle_brief,
+    cycle_csv,
 };
 use lanchester::{
     CrossCheckRequest, CycleRequest, CycleStage, StaticRequest, StressLoad, StressMesh, crank_cycle,
@@ -202,6 +203,29 @@ fn a_free_rigid_crankshaft_swings_as_the_closed_form_says() {
     let top = flexible.speed.iter().copied().fold(0.0, f64::max);
     assert!((top - high).abs() < 0.1 * swing, "{top} {high}");
     assert!(flexible.worst().unwrap().peak > 1e6 && flexible.energy_error <= 1e-4);
+}
+
+#[test]
+fn a_run_that_has_not_settled_says_so() {
+    let asked = CycleRequest { gas: false, rigid_crank: false, most_cycles: 1, ..request(&[CycleLaw::Film]) };
+    let mut found = crank_cycle(&engine(), &[], &asked, &|_| true).unwrap();
+    let run = &mut found.runs[0];
+    // One cycle is followed by up to five, which may repeat; what they left else is said with what to do.
+    run.outcome = CycleOutcome::NotPeriodic;
+    run.orbit_change = Some(0.0123);
+    let words = run.outcome_words();
+    assert!(
+        words.contains("orbits by 1.23 % of the clearance") && words.contains("allow more cycles"),
+        "{words}"
+    );
+    run.outcome = CycleOutcome::Periodic;
+    run.speed_runs = Some((12, 0.013));
+    assert!(
+        !run.is_sound() && run.outcome_words().contains("not settled in 12 runs"),
+        "{}",
+        run.outcome_words()
+    );
+    assert!(cycle_brief(&found).contains("has not found its speed in 12 runs"), "{}", cycle_brief(&found));
 }
 
 #[test]

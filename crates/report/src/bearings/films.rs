@@ -68,7 +68,11 @@ fn remarks(film: &BearingFilm) -> String {
         ));
     }
     if orbit.outcome == OrbitOutcome::NotPeriodic {
-        out.push("not periodic".to_owned());
+        out.push(format!(
+            "not periodic: after {} periods its orbit still changes by {:.2} % of the clearance",
+            orbit.periods,
+            100.0 * orbit.change
+        ));
     }
     if orbit.least_anywhere() < film.roughness {
         out.push("below roughness".to_owned());

@@ -177,7 +177,7 @@ impl CrankSheet {
             count => (format!("{count} counterweights have"), "forces act"),
         };
         Some(format!(
-            "{count} no shape ({} g mm together): the centrifugal {are} on {places}, spread over the half of a web on its side; their masses are not in the mesh.",
+            "{count} no shape ({} g mm together): the centrifugal {are} on {places}, spread over the part of a web beyond the journal on its side; their masses are not in the mesh.",
             number::short(1e6 * sum, 5)
         ))
     }

@@ -7,6 +7,6 @@ pub(crate) mod tables;
 pub use figures::crank_cycle_figures;
 pub use result::{
     BearingCycle, CRANK_CYCLE_VERSION, CrankCycle, CrankKind, CycleLaw, CycleRun, CycleSpeed, LeastFilm,
-    MainRules,
+    MainRules, SPEED_SETTLED,
 };
 pub use tables::{cycle_csv, cycle_text};

@@ -52,8 +52,8 @@ fn crank_table(comparison: &Comparison) -> Option<Table> {
     let note = "Main load: the largest of inertia on any main bearing, throw by throw. Bending: of the crankshaft as a free beam \
                 under what turns with it. Balance rate: share of the rotating unbalance between two main bearings that the \
                 counterweights there answer. Films: the smallest of any main or big-end bearing over the cycle, at the lowest speed and at \
-                that of the comparison, quasi-static; safety UR M53: the smallest of any fillet or oil bore by the formulas after the rule, which \
-                counterweights do not change.";
+                that of the comparison, quasi-static; safety UR M53: the smallest of any fillet or oil bore by the formulas after the rule, \
+                without torsional vibration, which the sheet of one engine counts where the file has its torsional chain; counterweights do not change it.";
     let columns = numbered(comparison).into_iter().chain(of_crank).collect();
     Some(Table::of_columns("crank", "Inside the crankshaft", note, columns))
 }

@@ -9,13 +9,12 @@ use lanchester_flex::train::{
 };
 use lanchester_mechanism::{CylinderGas, OuterTorque, RippleOutcome, speed_ripple};
 use lanchester_model::Engine;
-use lanchester_report::CycleSpeed;
+use lanchester_report::{CycleSpeed, SPEED_SETTLED};
 use std::f64::consts::TAU;
 
 /// Orders of a free speed over a revolution.
 const ORDERS: f64 = 24.0;
-/// Change of a free speed over its swing that counts as none, and the most runs for it.
-const CHANGE: f64 = 1e-3;
+/// Most runs for a free speed.
 const RUNS: usize = 12;
 
 /// Cycles of a train with its laws.
@@ -74,7 +73,7 @@ pub(crate) fn free_start(
         inertia: wheel,
         train: ripple.inertia.mean - wheel,
         orders,
-        change: CHANGE,
+        change: SPEED_SETTLED,
         most_runs: RUNS,
     };
     Ok(Some(FreeStart { motion, flywheel }))

@@ -11,6 +11,9 @@ pub const CRANK_CYCLE_VERSION: u32 = 1;
 /// Largest missing energy over the turnover of a run that counts as balanced.
 const BALANCED: f64 = 1e-4;
 
+/// Change of a free speed from run to run over its swing that counts as none.
+pub const SPEED_SETTLED: f64 = 1e-3;
+
 /// What ties journals and pins to their bearings.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
@@ -230,10 +233,16 @@ impl CycleRun {
         }
     }
 
-    /// Whether it has an outcome to go by and balanced energies.
+    /// Whether it has an outcome to go by, a free speed that is that of its flywheel, and balanced energies.
     pub fn is_sound(&self) -> bool {
         matches!(self.outcome, CycleOutcome::Periodic | CycleOutcome::NotPeriodic)
+            && self.unsettled_speed().is_none()
             && self.energy_error <= BALANCED
+    }
+
+    /// Runs of a free speed that had not settled in them, and the last change of it over its swing.
+    pub fn unsettled_speed(&self) -> Option<(usize, f64)> {
+        self.speed_runs.filter(|(_, change)| change.is_nan() || *change > SPEED_SETTLED)
     }
 
     /// The fillet with the largest stress.
@@ -259,11 +268,36 @@ impl CycleRun {
         own.max_by(|a, b| a.largest_load.total_cmp(&b.largest_load))
     }
 
+    /// What the last cycle changed, and what to do about it.
+    fn last_change(&self) -> String {
+        let percent = |change: Option<f64>| change.map(|change| format!("{:.2} %", 100.0 * change));
+        let parts = [
+            percent(self.orbit_change).map(|change| format!("orbits by {change} of the clearance")),
+            percent(self.stress_change).map(|change| format!("loads by {change} of their largest")),
+        ];
+        let parts: Vec<String> = parts.into_iter().flatten().collect();
+        match parts.is_empty() {
+            true => "one cycle alone: allow more".to_owned(),
+            false => format!("the last changed {}: allow more cycles", parts.join(", ")),
+        }
+    }
+
     /// How the cycles ended, in words.
     pub fn outcome_words(&self) -> String {
         match self.outcome {
-            CycleOutcome::Periodic => "repeats".to_owned(),
-            CycleOutcome::NotPeriodic => format!("does not repeat: envelope of {} cycles", self.recorded),
+            CycleOutcome::Periodic => match self.unsettled_speed() {
+                None => "repeats".to_owned(),
+                Some((runs, change)) => format!(
+                    "free speed has not settled in {runs} runs: the last changed it by {:.2} % of its swing",
+                    100.0 * change
+                ),
+            },
+            CycleOutcome::NotPeriodic => format!(
+                "does not repeat in {} cycles: envelope of {}; {}",
+                self.cycles,
+                self.recorded,
+                self.last_change()
+            ),
             CycleOutcome::Broken { theta } => {
                 let told = if self.recorded == 0 { "" } else { "; the last whole cycle is told" };
                 format!(

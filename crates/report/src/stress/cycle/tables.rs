@@ -202,9 +202,13 @@ impl CrankCycle {
             .filter(|run| !run.is_sound())
             .map(|run| {
                 let why = match run.outcome {
-                    CycleOutcome::Periodic | CycleOutcome::NotPeriodic => {
-                        "leaves energies unbalanced".to_owned()
-                    }
+                    CycleOutcome::Periodic | CycleOutcome::NotPeriodic => match run.unsettled_speed() {
+                        None => "leaves energies unbalanced".to_owned(),
+                        Some((runs, change)) => format!(
+                            "has not found its speed in {runs} runs (last change {:.2} % of its swing)",
+                            100.0 * change
+                        ),
+                    },
                     _ => run.outcome_words(),
                 };
                 format!("{} bearings: the run {why}", run.name())

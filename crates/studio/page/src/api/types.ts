@@ -2448,6 +2448,16 @@ export type GraphAnswer = {
   tiles: GraphTile[];
   /** Samples of a run [s]. */
   time: number[];
+  /** From each source to what stores give, of a linear graph. */
+  transfer: GraphTransfer[];
+};
+
+/** A transfer function. */
+export type GraphTransfer = {
+  input: string;
+  /** A fraction in powers of s, as MathML. */
+  mathml: string;
+  output: string;
 };
 
 /** A bond in its place, with what it carries. */
