@@ -372,7 +372,7 @@ pub struct LoadsArguments {
     /// the head: `rod.length [mm]`. An empty cell leaves the key as it is.
     #[arg(long, value_name = "TABLE", conflicts_with = "table")]
     pub cases: Option<PathBuf>,
-    /// With --cases: write their loads into this file, `.csv` or `.xlsx`; default: standard output.
+    /// With --cases: write their loads into this file, `.csv` or `.xlsx`; default: standard output. Never overwrites.
     #[arg(long, short, value_name = "FILE", requires = "cases")]
     pub output: Option<PathBuf>,
     /// Form of the output.

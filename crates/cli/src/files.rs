@@ -142,6 +142,17 @@ pub fn write_result(
     })
 }
 
+/// Refuses a file that exists; a pipe or a device takes what comes.
+pub fn not_there(path: &Path) -> Result<(), Failure> {
+    match fs::metadata(path) {
+        Ok(there) if there.is_file() => Err(Failure::input(
+            format_args!("{} exists and is not overwritten", shown(path)),
+            "choose another name with --output, or remove it first",
+        )),
+        _ => Ok(()),
+    }
+}
+
 /// Write a file that does not exist yet: a user's file is never overwritten.
 pub fn write_new(path: &Path, content: impl AsRef<[u8]>) -> Result<(), Failure> {
     put(path, Over::Nothing, content.as_ref()).map_err(|error| match error {

@@ -75,6 +75,11 @@ pub fn read_csv(text: &str) -> Result<Vec<Row>, SheetError> {
         .delimiter(separator)
         .from_reader(text.as_bytes());
     let mut rows = Vec::new();
+    if let Some(row) = open_quote(text, char::from(separator)) {
+        let reason =
+            "a quotation mark opens a cell here and none closes it: close it, or leave it out".to_owned();
+        return Err(SheetError::Csv { row, reason });
+    }
     for record in reader.records() {
         let record = record.map_err(|error| SheetError::Csv {
             row: error.position().map_or(0, csv::Position::line),
@@ -92,6 +97,23 @@ pub fn read_csv(text: &str) -> Result<Vec<Row>, SheetError> {
         }
     }
     Ok(rows)
+}
+
+/// The line whose quotation mark is not closed: what stands behind it would be one cell.
+fn open_quote(text: &str, separator: char) -> Option<u64> {
+    let (mut line, mut opened, mut starts) = (1, None, true);
+    let mut rest = text.chars().peekable();
+    while let Some(c) = rest.next() {
+        match (c, opened) {
+            ('"', None) if starts => opened = Some(line),
+            // Two of them are one within a cell.
+            ('"', Some(_)) if rest.next_if_eq(&'"').is_none() => opened = None,
+            _ => {}
+        }
+        starts = opened.is_none() && (c == separator || matches!(c, '\n' | '\r'));
+        line += u64::from(c == '\n');
+    }
+    opened
 }
 
 fn text_cell(text: &str) -> Cell {
@@ -112,6 +134,7 @@ pub fn read_workbook(bytes: &[u8]) -> Result<Vec<Row>, SheetError> {
         .worksheet_range_at(0)
         .ok_or_else(|| wrong(&"it has no sheet"))?
         .map_err(|error| wrong(&error))?;
+    let formulas = formulas_without_results(&mut book, &range);
     let (first_row, first_column) = range.start().unwrap_or((0, 0));
     let cell = |data: &Data| match data {
         Data::Empty => Cell::Empty,
@@ -122,19 +145,62 @@ pub fn read_workbook(bytes: &[u8]) -> Result<Vec<Row>, SheetError> {
         Data::Error(error) => Cell::Unusable(error.to_string()),
         other => Cell::Unusable(format!("the date or time {other}")),
     };
-    let mut rows = Vec::new();
-    for (place, row) in range.rows().enumerate() {
+    let mut rows: Vec<Vec<Cell>> = vec![Vec::new(); first_row as usize];
+    for row in range.rows() {
         // What stands left of the first used column is empty.
         let left = vec![Cell::Empty; first_column as usize];
-        let mut cells: Vec<Cell> = left.into_iter().chain(row.iter().map(cell)).collect();
-        while cells.last() == Some(&Cell::Empty) {
-            cells.pop();
-        }
-        if !cells.is_empty() {
-            rows.push(Row { number: first_row as usize + place + 1, cells });
+        rows.push(left.into_iter().chain(row.iter().map(cell)).collect());
+    }
+    for (row, column, words) in formulas {
+        rows.resize(rows.len().max(row + 1), Vec::new());
+        let cells = &mut rows[row];
+        cells.resize(cells.len().max(column + 1), Cell::Empty);
+        cells[column] = Cell::Unusable(words);
+    }
+    let rows = rows.into_iter().enumerate().map(|(place, mut cells)| {
+        let used = cells.iter().rposition(|cell| *cell != Cell::Empty).map_or(0, |last| last + 1);
+        cells.truncate(used);
+        Row { number: place + 1, cells }
+    });
+    Ok(rows.filter(|row| !row.cells.is_empty()).collect())
+}
+
+/// Row and column from 0 of the formulas of the first sheet whose results the workbook does not hold, each in words: the program that wrote it computes none,
+/// and an empty cell would say something else.
+fn formulas_without_results(
+    book: &mut Xlsx<Cursor<&[u8]>>,
+    values: &calamine::Range<Data>,
+) -> Vec<(usize, usize, String)> {
+    let sheet = book.sheet_names().first().cloned().unwrap_or_default();
+    let Ok(formulas) = book.worksheet_formula(&sheet) else { return Vec::new() };
+    let (first_row, first_column) = formulas.start().unwrap_or((0, 0));
+    let mut found = Vec::new();
+    for (row, column, formula) in formulas.used_cells() {
+        let (row, column) = (first_row as usize + row, first_column as usize + column);
+        let value = values.get_value((row as u32, column as u32));
+        if matches!(value, None | Some(Data::Empty)) {
+            let cell = format!("{}{}", column_letters(column), row + 1);
+            found.push((
+                row,
+                column,
+                format!(
+                    "the formula ={formula} in cell {cell} of the sheet \"{sheet}\", whose result the workbook does not hold: \
+                     open it in a spreadsheet program and save it there, or write the number"
+                ),
+            ));
         }
     }
-    Ok(rows)
+    found
+}
+
+/// Letters of a column from 0, as spreadsheets count: A, ..., Z, AA.
+fn column_letters(place: usize) -> String {
+    let (mut letters, mut rest) = (String::new(), place + 1);
+    while rest > 0 {
+        letters.insert(0, char::from(b'A' + ((rest - 1) % 26) as u8));
+        rest = (rest - 1) / 26;
+    }
+    letters
 }
 
 /// A workbook of one sheet with a row of heads, the same bytes whenever it is written.

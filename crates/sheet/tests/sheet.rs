@@ -47,6 +47,21 @@ fn the_first_row_says_what_parts_the_cells() {
 }
 
 #[test]
+fn a_quotation_mark_that_is_not_closed_is_named_with_its_line() {
+    for (written, line) in
+        [("name,b\n\"abc,140\n", 2), ("a;b\n1;\"x\"\n\n2;\"y\nz", 4), ("a\n\"b\"\"\n", 2), ("\"", 1)]
+    {
+        let error = read_csv(written).unwrap_err();
+        assert!(matches!(error, SheetError::Csv { row, .. } if row == line), "{written}: {error}");
+        assert!(error.to_string().contains("quotation mark"), "{error}");
+    }
+    // Within a cell, doubled, and at its end they are none of that.
+    for written in ["a\n1\" pipe\n", "a,b\n\"x \"\"y\"\"\",\"\"\n", "a\n\"\"\n", "a\n\"two\nlines\"\nb\n"] {
+        assert!(read_csv(written).is_ok(), "{written}");
+    }
+}
+
+#[test]
 fn what_is_no_workbook_says_so() {
     for bytes in [&b""[..], b"rod.length\n140\n", b"PK\x03\x04 damaged"] {
         assert!(matches!(read_workbook(bytes), Err(SheetError::Workbook(_))));

@@ -77,13 +77,20 @@ impl CaseTable {
                 faults.push(CaseFault { row: first.number, column, message });
             };
             let CaseCell::Text(text) = cell else {
-                fault("a head is due: a key of the engine file such as rod.length [mm]".to_owned());
+                let due = "a head is due: a key of the engine file such as rod.length [mm]";
+                fault(match cell {
+                    CaseCell::Unusable(words) => format!("{due}, got {words}"),
+                    _ => due.to_owned(),
+                });
                 continue;
             };
             match head(text) {
                 None => fault(format!("`{text}` is no key of an engine file; write it like rod.length [mm]")),
                 Some(own) if heads.iter().any(|other| other.key == own.key) => {
                     fault(format!("two columns are of `{}`", own.key));
+                }
+                Some(Head { key, unit: Some(unit), .. }) if holds(&key) == Holds::Words => {
+                    fault(format!("`{key}` is no quantity and has no unit: write the head without [{unit}]"));
                 }
                 Some(own) => heads.push(own),
             }
@@ -357,8 +364,10 @@ pub fn case_loads(text: &str, table: &CaseTable, request: &LoadRequest) -> Resul
     }
     let mut columns = vec![Column::numbers("row", "")];
     columns.extend(table.heads.iter().map(|head| Column::words(head.text.clone())));
+    // A column of the cases may have this head already.
+    let is_given = table.heads.iter().any(|head| head.text == "speed [rpm]");
     columns.extend([
-        Column::numbers("speed", "rpm"),
+        Column::numbers(if is_given { "speed of the loads" } else { "speed" }, "rpm"),
         Column::numbers("largest force", "N"),
         Column::numbers("largest couple", "N m"),
         Column::numbers("largest roll moment", "N m"),

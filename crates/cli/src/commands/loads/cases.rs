@@ -3,7 +3,7 @@
 use crate::arguments::LoadsArguments;
 use crate::commands::{json, open};
 use crate::failure::{DONE, Failure, WRONG_INPUT};
-use crate::files::{print, read_bytes, write_result};
+use crate::files::{not_there, print, read_bytes, write_result};
 use crate::format::Format;
 use crate::options::printed::Units;
 use crate::requests::loads::load_request;
@@ -38,6 +38,8 @@ pub fn run(arguments: &LoadsArguments, cases: &Path, colour: bool) -> Result<u8,
             "write the loads as .csv, or leave --units out",
         ));
     }
+    // Said before all cases are computed.
+    output.map_or(Ok(()), not_there)?;
     let request = load_request(&arguments.request)?;
     let opened = open(&arguments.file, colour)?;
     let told = |faults: Vec<CaseFault>| all_faults(cases, &faults);
@@ -58,7 +60,8 @@ pub fn run(arguments: &LoadsArguments, cases: &Path, colour: bool) -> Result<u8,
         })?,
     }
     if let Some(path) = output {
-        eprintln!("loads of {} cases written into {}", table.len(), shown(path));
+        let cases = if table.len() == 1 { "1 case".to_owned() } else { format!("{} cases", table.len()) };
+        eprintln!("loads of {cases} written into {}", shown(path));
     }
     Ok(DONE)
 }
@@ -117,27 +120,43 @@ fn heads(table: &Table) -> Vec<String> {
     table.columns.iter().map(head).collect()
 }
 
+/// The number that a cell of a case holds as a text; none in a column of names.
+fn number(head: &str, text: &str) -> Option<serde_json::Number> {
+    if head == "name" {
+        return None;
+    }
+    let whole = text.parse::<i64>().ok().map(serde_json::Number::from);
+    whole.or_else(|| text.parse::<f64>().ok().and_then(serde_json::Number::from_f64))
+}
+
 fn as_workbook(table: &Table) -> Result<Vec<u8>, sheet::SheetError> {
-    let cell = |cell: &Cell| match cell {
-        Cell::Text(text) | Cell::Formula { text, .. } => match text.parse::<f64>() {
-            Ok(number) if number.is_finite() => sheet::Cell::Number(number),
-            _ => sheet::Cell::Text(text.clone()),
-        },
+    let heads = heads(table);
+    let cell = |(cell, head): (&Cell, &String)| match cell {
+        Cell::Text(text) | Cell::Formula { text, .. } => {
+            match number(head, text).and_then(|number| number.as_f64()) {
+                Some(number) => sheet::Cell::Number(number),
+                None => sheet::Cell::Text(text.clone()),
+            }
+        }
         Cell::Number { value, .. } => sheet::Cell::Number(*value),
         Cell::Empty => sheet::Cell::Empty,
     };
-    let rows: Vec<Vec<sheet::Cell>> = table.rows.iter().map(|row| row.iter().map(cell).collect()).collect();
-    workbook("loads", &heads(table), &rows)
+    let row = |row: &Vec<Cell>| row.iter().zip(&heads).map(cell).collect();
+    let rows: Vec<Vec<sheet::Cell>> = table.rows.iter().map(row).collect();
+    workbook("loads", &heads, &rows)
 }
 
 /// A row an object, by its heads.
 fn objects(table: &Table) -> Vec<serde_json::Map<String, serde_json::Value>> {
     let heads = heads(table);
-    let value = |cell: &Cell| match cell {
-        Cell::Text(text) | Cell::Formula { text, .. } => serde_json::Value::from(text.clone()),
+    let value = |(cell, head): (&Cell, &String)| match cell {
+        Cell::Text(text) | Cell::Formula { text, .. } => match number(head, text) {
+            Some(number) => serde_json::Value::Number(number),
+            None => serde_json::Value::from(text.clone()),
+        },
         Cell::Number { value, .. } => serde_json::Value::from(*value),
         Cell::Empty => serde_json::Value::Null,
     };
-    let row = |row: &Vec<Cell>| heads.iter().cloned().zip(row.iter().map(value)).collect();
+    let row = |row: &Vec<Cell>| heads.iter().cloned().zip(row.iter().zip(&heads).map(value)).collect();
     table.rows.iter().map(row).collect()
 }
