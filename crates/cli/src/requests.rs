@@ -6,4 +6,3 @@ pub(crate) mod loads;
 pub(crate) mod search;
 pub(crate) mod shape;
 pub(crate) mod stress;
-pub(crate) mod value_list;

@@ -42,6 +42,7 @@ mod stress;
 mod torque_files;
 mod torque_report;
 mod torsion_study;
+mod value_list;
 
 pub use bearing_films::{
     BEARING_FILMS_VERSION, BearingFilms, BearingFilmsError, FilmMethod, bearing_films,
@@ -101,3 +102,4 @@ pub use torsion_study::{
     EngineTorsionError, TORSION_SPEEDS, TorsionRequest, engine_chain, engine_excitation, meshed_throws,
     torque_period, torsion,
 };
+pub use value_list::value_list;

@@ -160,7 +160,18 @@ impl<'py> Options<'py> {
     }
 
     fn list_of(&self, name: &str, due: &str, unit: &str, read: Read) -> Result<Vec<f64>, Failure> {
-        self.entries(name)?.iter().map(|value| self.quantity(name, value, due, unit, read)).collect()
+        let mut values = Vec::new();
+        for value in self.entries(name)? {
+            match value.cast::<PyString>() {
+                // A list or a range in one text, as the command line takes it.
+                Ok(text) => {
+                    let text = text.to_cow()?;
+                    values.extend(lanchester::value_list(&text, name, |one| read(one, name))?);
+                }
+                Err(_) => values.push(self.quantity(name, &value, due, unit, read)?),
+            }
+        }
+        Ok(values)
     }
 
     /// A point [m]: x, y and z.
@@ -201,17 +212,28 @@ impl<'py> Options<'py> {
         }
     }
 
-    /// Numbers without a unit: a list, or one.
+    /// Numbers without a unit: a list, or one; a text may hold a list or a range.
     pub fn numbers(&self, name: &str) -> Result<Vec<f64>, Failure> {
-        let entries = self.entries(name)?;
-        let read = entries.iter().map(|value| match number(value) {
-            Some(number) if number.is_finite() => Ok(number),
-            got => Err(Failure::option(
-                format_args!("`{name}` needs finite numbers, got {}", number_or_kind(got, value)),
+        let wrong = |got: String| {
+            Failure::option(
+                format_args!("`{name}` needs finite numbers, got {got}"),
                 format_args!("leave `{name}` out for its usual value"),
-            )),
-        });
-        read.collect()
+            )
+        };
+        let finite = |number: Option<f64>| number.filter(|number| number.is_finite());
+        let mut values = Vec::new();
+        for value in self.entries(name)? {
+            match value.cast::<PyString>() {
+                Ok(text) => values.extend(lanchester::value_list(&text.to_cow()?, name, |one| {
+                    finite(one.parse().ok()).ok_or_else(|| wrong(format!("\"{one}\"")))
+                })?),
+                Err(_) => {
+                    let got = number(&value);
+                    values.push(finite(got).ok_or_else(|| wrong(number_or_kind(got, &value)))?);
+                }
+            }
+        }
+        Ok(values)
     }
 
     /// A whole number within bounds.

@@ -6,7 +6,6 @@ use crate::figures::write_figures;
 use crate::files::{print, tell};
 use crate::format::Format;
 use crate::options::torque::{BearingsArguments, FilmOption, PartOption};
-use crate::requests::value_list::value_list;
 use crate::trace_files::trace_files;
 use lanchester::film::{BearingFilm, BearingKind, Cavitation, OrbitOutcome};
 use lanchester::mechanism::{BearingLoads, BearingPart, BearingRequest};
@@ -16,6 +15,7 @@ use lanchester::report::{
     films_over_speed_figure, films_over_speed_table, films_text, words_before_tables,
 };
 use lanchester::task::option;
+use lanchester::value_list;
 use lanchester::{
     BearingFilms, FilmMethod, bearing_films, bearing_films_over_speed, bearing_report, bearing_sizes,
 };
@@ -77,7 +77,7 @@ pub fn run(arguments: &BearingsArguments, colour: bool) -> Result<u8, Failure> {
         };
         let (text, found) = match &arguments.speeds {
             Some(list) => {
-                let speeds = value_list(list, "--speeds", |one| Ok(option::speed(one, "--speeds")?))?;
+                let speeds = value_list(list, "--speeds", |one| option::speed(one, "--speeds"))?;
                 let loads = speeds.into_iter().map(|speed| loads_at(Some(speed), part, true));
                 films_over_speed(
                     engine,

@@ -8,7 +8,6 @@ use crate::files::{print, tell};
 use crate::format::Format;
 use crate::options::torsion::{AimOption, StiffnessOption, TorsionArguments, TorsionTable, TuneOption};
 use crate::requests::stress::memory;
-use crate::requests::value_list::value_list;
 use crate::trace_files::trace_files;
 use lanchester::flex::crank_mesh::CrankMeshOptions;
 use lanchester::flex::statics::SolveOptions;
@@ -21,6 +20,7 @@ use lanchester::report::{
 };
 use lanchester::task::option;
 use lanchester::torsion::{TuneAim, TuneFree};
+use lanchester::value_list;
 use lanchester::{TorsionRequest, meshed_throws, torsion};
 
 pub fn run(arguments: &TorsionArguments, colour: bool) -> Result<u8, Failure> {

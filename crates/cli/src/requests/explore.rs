@@ -2,7 +2,6 @@
 
 use crate::failure::Failure;
 use crate::options::explore::{ExploreArguments, SpaceArguments};
-use crate::requests::value_list::value_list;
 use lanchester::model::Engine;
 use lanchester::results::Output;
 use lanchester::study::explore::{
@@ -10,6 +9,7 @@ use lanchester::study::explore::{
     ShaftSet, even_angles,
 };
 use lanchester::task::{AtLeast, DurabilityCriterion, option};
+use lanchester::value_list;
 use lanchester::{LayoutChoices, LayoutSpace, layout_space, own_pattern};
 use std::f64::consts::TAU;
 
@@ -156,11 +156,11 @@ fn objective(text: &str, option: &str) -> Result<Objective, Failure> {
 
 fn choices(engine: &Engine, arguments: &SpaceArguments) -> Result<LayoutChoices, Failure> {
     let angles = |text: &Option<String>, name: &str| {
-        let list = |text: &String| value_list(text, name, |one| Ok(option::angle(one, name)?));
+        let list = |text: &String| value_list(text, name, |one| option::angle(one, name));
         text.as_ref().map(list).transpose()
     };
     let lengths = |text: &Option<String>, name: &str| {
-        let list = |text: &String| value_list(text, name, |one| Ok(option::length(one, name)?));
+        let list = |text: &String| value_list(text, name, |one| option::length(one, name));
         text.as_ref().map(list).transpose()
     };
     let length = |text: &Option<String>, name: &str| {
@@ -206,7 +206,7 @@ fn choices(engine: &Engine, arguments: &SpaceArguments) -> Result<LayoutChoices,
 fn throw_angles(text: &str) -> Result<Vec<f64>, Failure> {
     let name = "--throw-angles";
     let Some(step) = text.trim().strip_prefix("every ") else {
-        return value_list(text, name, |one| Ok(option::angle(one, name)?));
+        return Ok(value_list(text, name, |one| option::angle(one, name))?);
     };
     let step_angle = option::angle(step, name)?;
     let parts = TAU / step_angle;

@@ -5,7 +5,6 @@ use crate::options::stress::{
     CycleArguments, FatigueArguments, LawOption, LoadArguments, MeshArguments, RuleArguments,
     SupportArguments, SupportOption,
 };
-use crate::requests::value_list::value_list;
 use crate::trace_files::read_mesh;
 use lanchester::file::EngineFile;
 use lanchester::flex::crank_case::CrankSupport;
@@ -16,6 +15,7 @@ use lanchester::flex::train::BasisOptions;
 use lanchester::report::{CycleLaw, CycleSpeed, FatigueFactors};
 use lanchester::task::option;
 use lanchester::units::{Bound, Dimension};
+use lanchester::value_list;
 use lanchester::{
     CycleRequest, FatigueRequest, GivenForce, RuleRequest, StaticRequest, StressLoad, StressMesh, stress_case,
 };

@@ -8,11 +8,11 @@ use crate::files::{print, tell, write_new};
 use crate::options::export::{
     ExportArguments, ExportCommand, ForcesArguments, HistoryArguments, PointsOption, ScriptArguments,
 };
-use crate::requests::value_list::value_list;
 use crate::run::write_rows;
 use crate::trace_files::trace_files;
 use lanchester::exchange_formats::{ForceTable, exudyn, nastran, universal};
 use lanchester::task::option;
+use lanchester::value_list;
 use lanchester::{
     ForceTableError, ForceTableRequest, LoadedPoints, MountSpeeds, force_table, load_history, rigid_train,
 };
@@ -39,9 +39,7 @@ fn speed(text: &Option<String>) -> Result<Option<f64>, Failure> {
 
 fn forces(arguments: &ForcesArguments, colour: bool) -> Result<ForceTable, Failure> {
     let speeds = match &arguments.speeds {
-        Some(list) => {
-            MountSpeeds::List(value_list(list, "--speeds", |one| Ok(option::speed(one, "--speeds")?))?)
-        }
+        Some(list) => MountSpeeds::List(value_list(list, "--speeds", |one| option::speed(one, "--speeds"))?),
         None => MountSpeeds::Range(arguments.steps as usize),
     };
     let request = ForceTableRequest {
