@@ -7,7 +7,7 @@
 //!     reference: 1,
 //!     description: "Speed of crankshaft 1".to_owned(),
 //!     role: FmuRole::Input,
-//!     kind: FmuKind::Real { unit: "rad/s", start: Some(100.0) },
+//!     kind: FmuKind::Real { unit: "rad/s", start: Some(100.0), range: [Some(0.0), None] },
 //! };
 //! let description = FmuDescription {
 //!     name: "one".to_owned(),
@@ -19,7 +19,7 @@
 //!     stop: 0.1,
 //!     step: 1e-4,
 //! };
-//! assert!(model_description(&description, FmiVersion::Two).contains("<Real unit=\"rad/s\" start=\"100\"/>"));
+//! assert!(model_description(&description, FmiVersion::Two).contains("<Real unit=\"rad/s\" min=\"0\" start=\"100\"/>"));
 //! ```
 
 use std::fmt::Write as _;
@@ -58,6 +58,8 @@ pub enum FmuKind {
         unit: &'static str,
         /// [unit]
         start: Option<f64>,
+        /// Smallest and largest value that is accepted [unit].
+        range: [Option<f64>; 2],
     },
     /// Yes or no, with its start.
     Boolean {
@@ -208,12 +210,16 @@ fn words(variable: &FmuVariable) -> [&'static str; 2] {
     }
 }
 
-/// Attributes of the type: unit and start.
+/// Attributes of the type: unit, range and start.
 fn typed(kind: FmuKind) -> (&'static str, String) {
     match kind {
-        FmuKind::Real { unit, start } => {
-            let start = start.map_or(String::new(), |start| format!(" start=\"{start}\""));
-            ("Real", format!(" unit=\"{unit}\"{start}"))
+        FmuKind::Real { unit, start, range: [min, max] } => {
+            let attribute = |name: &str, value: Option<f64>| {
+                value.map_or(String::new(), |value| format!(" {name}=\"{value}\""))
+            };
+            let all = [("min", min), ("max", max), ("start", start)];
+            let attributes: String = all.into_iter().map(|(name, value)| attribute(name, value)).collect();
+            ("Real", format!(" unit=\"{unit}\"{attributes}"))
         }
         FmuKind::Boolean { start } => ("Boolean", format!(" start=\"{start}\"")),
     }

@@ -6,28 +6,57 @@
 //! ```
 //! (MSC Nastran Quick Reference Guide, entries RLOAD1, TABLED1, DAREA, DLOAD, FREQ.) Large fields hold all digits that sixteen columns have.
 
-use crate::force_table::{ForceTable, plain};
+use crate::force_table::{ForceTable, wrapped};
 use std::f64::consts::TAU;
 use std::fmt::Write as _;
 
-/// The forces as bulk data: a load set an order, which a subcase names by DLOAD and FREQUENCY. All numbers of sets and tables count from `first`.
+/// Numbers that the entries of a deck count from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct FirstNumbers {
+    /// Of `DLOAD`, `FREQ`, `RLOAD1` and `DAREA`.
+    pub set: u32,
+    /// Of `TABLED1`; behind the sets where it is not given.
+    pub table: Option<u32>,
+}
+
+impl FirstNumbers {
+    /// Sets from here on, and tables behind them.
+    pub fn from(set: u32) -> FirstNumbers {
+        FirstNumbers { set, table: None }
+    }
+}
+
+/// The forces as bulk data: a load set an order, which a subcase names by DLOAD and FREQUENCY.
 ///
 /// Every order has `DLOAD`, `FREQ`; every point and component `DAREA`, `RLOAD1` and two `TABLED1`. Components that are 0 at all speeds are left out.
-pub fn nastran(table: &ForceTable, first: u32) -> String {
+pub fn nastran(table: &ForceTable, first: FirstNumbers) -> String {
     let mut out = String::new();
     let comment = |out: &mut String, text: &str| {
-        for line in text.lines() {
-            let _ = writeln!(out, "$ {}", plain(line, 70));
+        for line in text.lines().flat_map(|line| wrapped(line, 70)) {
+            let _ = writeln!(out, "$ {line}");
         }
     };
     comment(&mut out, &table.title);
     table.notes.iter().for_each(|note| comment(&mut out, note));
     comment(&mut out, "Units: N, m, Hz. f(t) = Re(P e^{i 2 pi f t}), t = 0 at crank angle 0.");
     comment(&mut out, "Outside its frequencies a TABLED1 is extrapolated: ask for those of the FREQ.");
-    let mut next = first.max(1);
+    let loaded = |forces: &[[num_complex::Complex64; 3]], axis: usize| {
+        forces.iter().any(|force| force[axis].norm_sqr() != 0.0)
+    };
+    let components = table.orders.iter().flat_map(|own| &own.forces);
+    let components: usize =
+        components.map(|forces| (0..3).filter(|axis| loaded(forces, *axis)).count()).sum();
+    // Sets: one an order, then RLOAD1 and DAREA of every component.
+    let mut next = first.set.max(1);
+    let mut next_table =
+        first.table.unwrap_or(next + table.orders.len() as u32 + 2 * components as u32).max(1);
     let mut number = || {
         next += 1;
         next - 1
+    };
+    let mut table_number = || {
+        next_table += 1;
+        next_table - 1
     };
     let sets: Vec<u32> = table.orders.iter().map(|_| number()).collect();
     for (set, own) in sets.iter().zip(&table.orders) {
@@ -47,10 +76,11 @@ pub fn nastran(table: &ForceTable, first: u32) -> String {
         let mut loads = Vec::new();
         for (point, forces) in table.points.iter().zip(&own.forces) {
             for axis in 0..3 {
-                if forces.iter().all(|force| force[axis].norm_sqr() == 0.0) {
+                if !loaded(forces, axis) {
                     continue;
                 }
-                let (load, area, real, imaginary) = (number(), number(), number(), number());
+                let (load, area) = (number(), number());
+                let (real, imaginary) = (table_number(), table_number());
                 let _ = writeln!(
                     out,
                     "DAREA*  {area:>16}{:>16}{:>16}{:>16}\n*\nRLOAD1* {load:>16}{area:>16}{:>16}{:>16}\n*       {real:>16}{imaginary:>16}{:>16}",

@@ -4,7 +4,7 @@
 //! Formats after the documentation of the Structural Dynamics Research Laboratory, University of Cincinnati: records of fixed columns, forces
 //! as pairs of doubles (`E13.5, 2E20.12`: complex, double precision, uneven abscissa).
 
-use crate::force_table::{ForceTable, plain};
+use crate::force_table::{ForceTable, fitted};
 use std::f64::consts::PI;
 use std::fmt::Write as _;
 
@@ -38,18 +38,16 @@ pub fn universal(table: &ForceTable) -> String {
             for axis in 0..3 {
                 dataset(&mut out, 58, |out| {
                     let direction = ["+X", "+Y", "+Z"][axis];
-                    let notes = table.notes.first().map_or("NONE", String::as_str);
-                    let _ = writeln!(out, "{}", plain(&table.title, 80));
-                    let _ = writeln!(
-                        out,
-                        "{}",
-                        plain(&format!("force on {}, {direction}, order {}", point.name, own.order), 80)
-                    );
-                    let _ = writeln!(
-                        out,
-                        "NONE\n{}\nf(t) = Re(F e^(i n w t)), t = 0 at crank angle 0",
-                        plain(notes, 80)
-                    );
+                    // Five lines: what they have no room for ends in dots.
+                    let [title] = fitted::<1>(&table.title, 80);
+                    let about = format!("force on {}, {direction}, order {}", point.name, own.order);
+                    let ([about], [words, more]) = (fitted::<1>(&about, 80), fitted::<2>(&point.words, 80));
+                    let sign = "f(t) = Re(F e^(i n w t)), t = 0 at crank angle 0";
+                    let _ = match more.as_str() {
+                        "" => writeln!(out, "{title}\n{about}\nNONE\n{words}\n{sign}"),
+                        // The third is for a date, which no two runs would have the same.
+                        more => writeln!(out, "{title}\n{about}\n{sign}\n{words}\n{more}"),
+                    };
                     let _ = writeln!(
                         out,
                         "{ORDER_FUNCTION:>5}{:>10}{:>5}{:>10} {:<10}{:>10}{:>4} {:<10}{:>10}{:>4}",

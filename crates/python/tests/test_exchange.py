@@ -96,6 +96,27 @@ def test_pynastran_reads_the_forces_by_order(tmp_path: Path) -> None:
     assert len(places) == len({node for node, _, _ in seen}) and any(np.abs(place).max() > 0.01 for place in places.values())
 
 
+def test_comments_are_whole_and_numbers_can_be_moved(tmp_path: Path) -> None:
+    bdf = pytest.importorskip("pyNastran.bdf.bdf")
+    output, line = arguments(tmp_path, "bdf")
+    program("export", "nastran", *line, "--first-set", 501, "--first-table", 9001)
+    comments = [own.removeprefix("$ ") for own in output.read_text().splitlines() if own.startswith("$ ")]
+    assert max(map(len, comments)) <= 70
+    whole = " ".join(comments)
+    assert "Main bearings: force of the journal on each bearing, of the block, from inertia" in whole and "Units: N, m, Hz." in whole
+    model = bdf.read_bdf(str(output), punch=True, xref=False, debug=None)
+    loads = [load for own in (*model.dloads.values(), *model.dload_entries.values()) for load in own]
+    sets = {own.sid for own in loads} | set(model.frequencies)
+    areas = {area.sid for area in model.dareas.values()}
+    assert min(sets) == 501 and not sets & areas and min(model.tables_d) == 9001
+    assert max(sets | areas) < 9001 and len(model.tables_d) == 2 * len(areas)
+    # Without a number of their own, tables are behind the sets.
+    plain = tmp_path / "plain.bdf"
+    program("export", "nastran", *line[:-1], plain)
+    model = bdf.read_bdf(str(plain), punch=True, xref=False, debug=None)
+    assert max(area.sid for area in model.dareas.values()) + 1 == min(model.tables_d)
+
+
 def order_sets(output: Path) -> list[tuple[float, int]]:
     """Orders with their sets as the head of the file names them."""
     heads = [line.split() for line in output.read_text().splitlines() if line.startswith("$ subcase of order")]
@@ -134,6 +155,16 @@ def test_histories_are_the_same_as_csv_and_parquet(tmp_path: Path) -> None:
     assert len(table) == len(bearings.theta)
     np.testing.assert_allclose(table["time_s"], bearings.theta / bearings.speed)
     np.testing.assert_allclose(table["main_bearing_2_y_N"], np.asarray(bearings.mains[1].load.load)[:, 1])
+    torque = engine.torque("3000 rpm").torque
+    np.testing.assert_allclose(table["torque_Nm"], np.interp(bearings.theta, torque.theta, np.asarray(torque.gas) + np.asarray(torque.inertia)), atol=1e-9 * np.abs(table["torque_Nm"]).max())
+    settled = engine.mounts(speeds=["3000 rpm"], orders=8).response.speeds[0]
+    for place in range(len(settled.peaks)):
+        sizes = np.sqrt(sum(table[f"mount_{place + 1}_{axis}_N"] ** 2 for axis in "xyz"))
+        peak = settled.peaks[place].value
+        # Samples four degrees apart miss the peak by no more than this.
+        assert 0.97 * peak < sizes.max() <= peak * (1 + 1e-9)
+    pressures = [name for name in table.columns if name.endswith("_pressure_Pa")]
+    assert bool(pressures) == torque.with_gas
     count = len(loads.total.trace.theta)
     np.testing.assert_allclose(table["shaking_force_x_N"][:count], loads.total.trace.force_x)
     np.testing.assert_allclose(table["shaking_force_x_N"][-count:], loads.total.trace.force_x)
@@ -200,7 +231,9 @@ def write_sheet(path: Path, rows: list[list[Any]]) -> None:
     for number, row in enumerate(rows, 1):
         cells = ""
         for letter, cell in zip("ABCDEFG", row, strict=False):
-            if isinstance(cell, str):
+            if isinstance(cell, str) and cell.startswith("="):
+                cells += f'<c r="{letter}{number}"><f>{cell[1:]}</f><v></v></c>'
+            elif isinstance(cell, str):
                 cells += f'<c r="{letter}{number}" t="inlineStr"><is><t>{cell}</t></is></c>'
             elif cell is not None:
                 cells += f'<c r="{letter}{number}"><v>{cell}</v></c>'
@@ -234,6 +267,38 @@ def test_every_bad_cell_is_told_with_row_and_column(tmp_path: Path) -> None:
         "hint: no case was computed",
     ]:
         assert words in done.stderr, f"{words} is not in {done.stderr}"
+
+
+def refused(*line: object) -> str:
+    done = subprocess.run([str(PROGRAM), *map(str, line)], capture_output=True, text=True, encoding="utf-8", check=False)
+    assert done.returncode == 2 and done.stdout == "", done.stdout
+    return done.stderr
+
+
+def test_cases_that_say_less_than_they_seem_to_are_refused(tmp_path: Path) -> None:
+    line = ["loads", ROOT / "examples" / "in-line-4.toml", "--cases"]
+    # A formula without its result, as programs write it that compute none.
+    write_sheet(tmp_path / "cases.xlsx", [["name", "rod.length [mm]"], ["plain", 140], ["sum", "=100+40"]])
+    words = refused(*line, tmp_path / "cases.xlsx")
+    assert "row 3, column B (rod.length [mm]): needs a value, got the formula =100+40 in cell B3 of the sheet" in words and "save it there" in words, words
+    (tmp_path / "cases.csv").write_text('name,rod.length [mm]\nA,140\n"abc,150\n', encoding="utf-8")
+    assert "row 3 is not CSV: a quotation mark opens a cell here" in refused(*line, tmp_path / "cases.csv")
+    (tmp_path / "cases.csv").write_text("name [mm]\nA\n", encoding="utf-8")
+    assert "row 1, column A: `name` is no quantity and has no unit" in refused(*line, tmp_path / "cases.csv")
+
+
+def test_results_of_cases_are_kept_apart_from_cases_and_files(tmp_path: Path) -> None:
+    line = ["loads", ROOT / "examples" / "in-line-4.toml", "--cases", tmp_path / "cases.csv"]
+    (tmp_path / "cases.csv").write_text("speed [rpm],rod.length,name\n3000,150 mm,0012\n", encoding="utf-8")
+    [row] = json.loads(program(*line, "--format", "json"))
+    assert (row["speed [rpm]"], row["name"], row["rod.length"]) == (3000, "0012", "150 mm")
+    assert row["speed of the loads [rpm]"] == pytest.approx(3000, rel=1e-12)
+    output = tmp_path / "loads.csv"
+    done = subprocess.run([str(PROGRAM), *map(str, line), "--output", str(output)], capture_output=True, text=True, check=False)
+    assert done.returncode == 0 and "loads of 1 case written into" in done.stderr
+    before = output.read_bytes()
+    assert "exists and is not overwritten" in refused(*line, "--output", output)
+    assert output.read_bytes() == before
 
 
 EXUDYN = ROOT / "validation" / "external" / "exudyn"

@@ -19,11 +19,11 @@ pub enum ExportCommand {
                             lanchester export nastran four.toml --points mounts --speeds '700 rpm .. 6000 rpm by 100 rpm' --orders 6\n\n\
                             Every order is a load set that a subcase names by DLOAD and FREQUENCY; grid points stand in the frame of the \
                             engine (x up, z along the crankshaft).")]
-    Nastran(ForcesArguments),
+    Nastran(BulkArguments),
     /// The same as a universal file: datasets 164 (units), 2411 (nodes) and 58 (an order function over speed a node, direction and order).
     #[command(after_help = "Examples:\n  lanchester export universal four.toml --output four.unv")]
     Universal(ForcesArguments),
-    /// Loads over one period at constant speed as CSV or Parquet: time, crank angle, shaking force, couple, roll moment, main bearings.
+    /// Loads over one period at constant speed as CSV or Parquet: time, crank angle, shaking force, couple, roll moment, torque, gas pressure, mounts, main bearings.
     #[command(after_help = "Examples:\n  lanchester export history four.toml --output four.parquet\n  \
                             lanchester export history four.toml --speed '3000 rpm' --samples 3600 --output four.csv")]
     History(HistoryArguments),
@@ -91,12 +91,25 @@ pub struct ForcesArguments {
     /// Leave out the gas that the file gives.
     #[arg(long)]
     pub inertia_only: bool,
-    /// Number of the first mount's node; main bearings count from a thousand more, load sets and tables from 1.
+    /// Number of the first mount's node; main bearings count from a thousand more.
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=90_000_000))]
     pub first_node: u32,
     /// The file, `-` for standard output; never overwrites.
     #[arg(long, short, value_name = "FILE", default_value = "-")]
     pub output: PathBuf,
+}
+
+/// `export nastran`
+#[derive(Debug, Args)]
+pub struct BulkArguments {
+    #[command(flatten)]
+    pub forces: ForcesArguments,
+    /// Number of the first load set: DLOAD and FREQ of each order, then RLOAD1 and DAREA.
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=90_000_000))]
+    pub first_set: u32,
+    /// Number of the first table (TABLED1); default: behind the last set.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=90_000_000))]
+    pub first_table: Option<u32>,
 }
 
 /// Which points are loaded.

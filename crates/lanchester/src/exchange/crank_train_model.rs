@@ -4,6 +4,7 @@ use crate::crosscheck::pair::CrossCheckError;
 use crate::pressure::measured::TraceFile;
 use crate::pressure::simulated::GivenGas;
 use crate::simulation::gas_torque::CHOSEN_LOAD;
+use crate::simulation::plan::CLOSE_SAMPLES;
 use crate::simulation::plan::{SimulateRequest, action_words};
 use crate::simulation::prepared::{Prepared, prepare};
 use lanchester_exchange::{FmuKind, FmuRole, FmuVariable};
@@ -114,6 +115,8 @@ impl CrankTrainModel {
             ..
         } = prepared;
         simulation.reactions = false;
+        // A unit has no samples of its own: the host asks when it will.
+        notes.retain(|note| !note.starts_with(CLOSE_SAMPLES));
         let mut load = 0.0;
         if is_load_chosen
             && let LoadLaw::Constant(torque) | LoadLaw::Viscous { torque, .. } = simulation.load.law
@@ -192,7 +195,7 @@ impl CrankTrainModel {
                 reference: variables.len() as u32,
                 description: description.to_owned(),
                 role,
-                kind: FmuKind::Real { unit, start },
+                kind: FmuKind::Real { unit, start, range: [None; 2] },
             });
         };
         push("time", "Time", FmuRole::Time, "s", None);
@@ -217,6 +220,14 @@ impl CrankTrainModel {
         push("start_angle", angle, FmuRole::Parameter, "rad", Some(self.simulation.start_angle));
         for (name, description, unit) in self.described() {
             push(&name, &description, FmuRole::Output, unit, None);
+        }
+        let least_fuel = if self.has_gas() { 0.0 } else { 1.0 };
+        for (reference, bounds) in
+            [(Self::FUEL, [Some(least_fuel), Some(1.0)]), (Self::START_SPEED, [Some(0.0), None])]
+        {
+            if let FmuKind::Real { range, .. } = &mut variables[reference as usize].kind {
+                *range = bounds;
+            }
         }
         variables
     }

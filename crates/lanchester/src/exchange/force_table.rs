@@ -84,8 +84,10 @@ pub fn force_table(
     };
     if request.points != LoadedPoints::Bearings {
         match mount_forces(engine, traces, &speeds, request) {
-            Ok((points, orders, words)) => {
-                table.notes.push(format!("Mounts: force of the block on each mount, from {words}."));
+            Ok((mut points, orders, words)) => {
+                let words = format!("force of the block on each mount, from {words}.");
+                table.notes.push(format!("Mounts: {words}"));
+                points.iter_mut().for_each(|point| point.words.clone_from(&words));
                 add(&mut table, points, orders);
             }
             Err(error) if request.points == LoadedPoints::All => {
@@ -107,10 +109,10 @@ pub fn force_table(
         let words = if part == BearingPart::All { "inertia and gas" } else { "inertia" };
         let mains = loads[0].mains.len();
         if mains > 0 {
-            table.notes.push(format!(
-                "Main bearings: force of the journal on each bearing, of the block, from {words}."
-            ));
-            let (points, orders) = bearing_forces(&loads, request);
+            let words = format!("force of the journal on each bearing, of the block, from {words}.");
+            table.notes.push(format!("Main bearings: {words}"));
+            let (mut points, orders) = bearing_forces(&loads, request);
+            points.iter_mut().for_each(|point| point.words.clone_from(&words));
             add(&mut table, points, orders);
         } else if table.points.is_empty() {
             return Err(ForceTableError::NoBearing);
@@ -138,6 +140,7 @@ fn mount_forces(
             id: request.first_id + k as u32,
             name: format!("mount {}", mount.name),
             position: [mount.x, mount.y, mount.z],
+            words: String::new(),
         })
         .collect();
     let mut orders: Vec<f64> =
@@ -179,6 +182,7 @@ fn bearing_forces(
                 false => format!("main bearing {}", main.main),
             },
             position: [0.0, 0.0, main.z],
+            words: String::new(),
         })
         .collect();
     let revolutions = (loads[0].period / TAU).round().max(1.0) as u32;

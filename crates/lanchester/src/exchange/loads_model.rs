@@ -33,6 +33,12 @@ pub enum LoadsModelError {
     /// The torque of the gas.
     #[error(transparent)]
     Torque(#[from] TorqueError),
+    /// A speed whose square is beyond all numbers.
+    #[error("at {got} rad/s the loads are larger than any number")]
+    Overflow {
+        /// [rad/s]
+        got: f64,
+    },
     /// A speed that is none.
     #[error("the speed must be 0 rad/s or more, and is {got} rad/s")]
     Speed {
@@ -90,19 +96,29 @@ impl LoadsModel {
     /// # Errors
     /// [`LoadsModelError`] where loads, mounts or the gas at the highest speed of the file cannot be computed.
     pub fn new(engine: Engine, traces: Vec<TraceFile>) -> Result<LoadsModel, LoadsModelError> {
+        let highest = engine.speed.highest;
+        LoadsModel::at_speed(engine, traces, highest, true)
+    }
+
+    /// The same, whose loads can be computed at this speed at least [rad/s]; with or without the mounts of the file.
+    pub(crate) fn at_speed(
+        engine: Engine,
+        traces: Vec<TraceFile>,
+        speed: f64,
+        with_mounts: bool,
+    ) -> Result<LoadsModel, LoadsModelError> {
         let request = LoadRequest { speed: Some(1.0), samples: 1, ..LoadRequest::default() };
         let mechanism = Mechanism::new(&engine, &request)?;
-        let mounts = match engine.block.is_some() && !engine.mounts.is_empty() {
+        let mounts = match with_mounts && engine.block.is_some() && !engine.mounts.is_empty() {
             true => {
                 let rotors = rotor_inertia_about_z(&rotating_bodies(&engine));
                 Some(MountSystem::new(&engine)?.with_rotors(rotors))
             }
             false => None,
         };
-        let highest = engine.speed.highest;
         let mut model = LoadsModel { engine, traces, mechanism, mounts, gas: None, forces: None };
         let has_gas = model.has_gas();
-        model.at(highest, 0.0, has_gas)?;
+        model.at(speed, 0.0, has_gas)?;
         Ok(model)
     }
 
@@ -120,7 +136,7 @@ impl LoadsModel {
     pub fn variables(&self) -> Vec<FmuVariable> {
         let mut variables: Vec<FmuVariable> = Vec::new();
         let mut push = |name: String, description: String, role, unit, start| {
-            let kind = FmuKind::Real { unit, start };
+            let kind = FmuKind::Real { unit, start, range: [None; 2] };
             variables.push(FmuVariable { name, reference: variables.len() as u32, description, role, kind });
         };
         let plain = |text: &str| text.to_owned();
@@ -158,6 +174,9 @@ impl LoadsModel {
                 push(format!("mount_{number}_force_{axis}"), description, FmuRole::Output, "N", None);
             }
         }
+        if let FmuKind::Real { range, .. } = &mut variables[Self::SPEED as usize].kind {
+            *range = [Some(0.0), None];
+        }
         let gas = &mut variables[Self::GAS as usize];
         gas.kind = FmuKind::Boolean { start: self.has_gas() };
         gas.description = match self.has_gas() {
@@ -170,7 +189,7 @@ impl LoadsModel {
     /// The loads at a speed [rad/s] and a crank angle [rad], in the order of [`LoadsModel::variables`].
     ///
     /// # Errors
-    /// [`LoadsModelError`]: a negative speed, gas that the file does not give or that its cycle cannot have at this speed, an undamped
+    /// [`LoadsModelError`]: a negative speed, one whose loads are larger than any number, gas that the file does not give or that its cycle cannot have at this speed, an undamped
     /// block at one of its natural frequencies.
     pub fn at(&mut self, speed: f64, theta: f64, has_gas: bool) -> Result<Vec<f64>, LoadsModelError> {
         if !(speed >= 0.0 && speed.is_finite()) {
@@ -202,7 +221,11 @@ impl LoadsModel {
                 loads.push(forces.map_or(0.0, |forces| forces.orders.iter().map(of_order).sum()));
             }
         }
-        Ok(loads)
+        if loads.iter().all(|load| load.is_finite()) {
+            Ok(loads)
+        } else {
+            Err(LoadsModelError::Overflow { got: speed })
+        }
     }
 
     fn prepare_gas(&mut self, speed: f64) -> Result<(), LoadsModelError> {
@@ -301,6 +324,12 @@ mod tests {
         let mut without = example(include_str!("../../../../examples/v6-60.toml"));
         assert!(matches!(without.at(-1.0, 0.0, false), Err(LoadsModelError::Speed { .. })));
         assert!(matches!(without.at(f64::NAN, 0.0, false), Err(LoadsModelError::Speed { .. })));
+        for speed in [1e300, 1e160] {
+            assert!(
+                matches!(without.at(speed, 0.5, false), Err(LoadsModelError::Overflow { .. })),
+                "{speed}"
+            );
+        }
         assert!(matches!(without.at(100.0, 0.0, true), Err(LoadsModelError::Gas(GasError::NoGas))));
         assert!(without.at(0.0, 1.0, false).unwrap().iter().all(|load| *load == 0.0));
         // A cycle with heat release needs time.

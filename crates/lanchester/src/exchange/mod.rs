@@ -14,7 +14,7 @@ pub use case_table::{CaseCell, CaseFault, CaseRow, CaseTable, case_loads};
 pub use crank_train_model::{CrankTrainFault, CrankTrainModel, CrankTrainState, CrankTrainStep};
 pub use crank_train_unit::crank_train_unit;
 pub use force_table::{ForceTableError, ForceTableRequest, LoadedPoints, force_table};
-pub use history::{LoadHistory, load_history};
+pub use history::{LoadHistory, LoadHistoryError, load_history};
 pub use loads_model::{LoadsModel, LoadsModelError};
 pub use loads_unit::loads_unit;
 pub use rigid_train::{RigidTrainError, rigid_train};

@@ -13,6 +13,9 @@ use lanchester_multibody::{
 use serde::Serialize;
 use std::f64::consts::TAU;
 
+/// How a note begins that is of samples alone.
+pub(crate) const CLOSE_SAMPLES: &str = "Orders need closer samples than";
+
 /// What to simulate; where it says nothing, the engine file does, and then a default.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct SimulateRequest {
@@ -255,7 +258,7 @@ fn sample_step(asked: f64, simulation: &Simulation, highest: f64, notes: &mut Ve
     let parts = (asked / FINE * (1.0 - 1e-9)).ceil();
     if turned / asked * parts > MOST_FINE {
         notes.push(format!(
-            "Orders need closer samples than {:.4} deg: a shorter run takes them from samples a degree apart whatever its step.",
+            "{CLOSE_SAMPLES} {:.4} deg: a shorter run takes them from samples a degree apart whatever its step.",
             asked.to_degrees()
         ));
         return (asked, 1);

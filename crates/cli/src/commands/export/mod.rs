@@ -10,7 +10,7 @@ use crate::options::export::{
 };
 use crate::run::write_rows;
 use crate::trace_files::trace_files;
-use lanchester::exchange_formats::{ForceTable, exudyn, nastran, universal};
+use lanchester::exchange_formats::{FirstNumbers, ForceTable, exudyn, nastran, universal};
 use lanchester::task::option;
 use lanchester::value_list;
 use lanchester::{
@@ -20,7 +20,10 @@ use std::path::Path;
 
 pub fn run(arguments: &ExportArguments, colour: bool) -> Result<u8, Failure> {
     match &arguments.command {
-        ExportCommand::Nastran(own) => put(&own.output, &nastran(&forces(own, colour)?, 1)),
+        ExportCommand::Nastran(own) => {
+            let first = FirstNumbers { set: own.first_set, table: own.first_table };
+            put(&own.forces.output, &nastran(&forces(&own.forces, colour)?, first))
+        }
         ExportCommand::Universal(own) => put(&own.output, &universal(&forces(own, colour)?)),
         ExportCommand::History(own) => history(own, colour),
         ExportCommand::Exudyn(own) => script(own, colour),
@@ -75,6 +78,9 @@ fn history(arguments: &HistoryArguments, colour: bool) -> Result<(), Failure> {
     let engine = &opened.file.engine;
     let traces = trace_files(engine, &arguments.file)?;
     let found = load_history(engine, &traces, speed, arguments.samples as usize).map_err(Failure::refused)?;
+    for note in &found.notes {
+        tell(format_args!("warning: {note}"));
+    }
     let about = [
         ("lanchester.title".to_owned(), found.title),
         ("lanchester.version".to_owned(), env!("CARGO_PKG_VERSION").to_owned()),
