@@ -19,6 +19,7 @@ import pytest
 import lanchester
 import lanchester.dask
 from lanchester import Engine, RequestError
+from lanchester._blocks import check_paths
 from lanchester.dask import BlockError, Blocks
 
 dask = pytest.importorskip("dask")
@@ -52,6 +53,37 @@ def client(cluster: Any) -> Iterator[Any]:
 
 def sweep(folder: Path, client: Any, **further: Any) -> Blocks:
     return lanchester.dask.map("simulate", SWEEP, [ENERGY, "revolutions"], folder, client=client, parts=24, revolutions=1, imposed=True, **further)
+
+
+def test_a_path_that_no_answer_has_is_refused_before_blocks_are_sent(tmp_path: Path) -> None:
+    for path, words in (("run.audit.enrgy", "there is no `enrgy` below `run.audit`"), ("rn", "there is no `rn`")):
+        with pytest.raises(RequestError, match=words):
+            lanchester.dask.map("simulate", SWEEP, path, tmp_path / "runs", revolutions=1, imposed=True)
+    assert not (tmp_path / "runs").exists()
+    check_paths("loads", ["total.orders[1].force_forward[0]", "total.peaks.force.max.value", "parts[0].loads.peaks.couple.max.theta"])
+
+
+def test_a_client_that_is_closed_is_told_with_how_to_go_on(cluster: Any, tmp_path: Path) -> None:
+    client = distributed.Client(cluster, timeout="60s")
+    client.wait_for_workers(3, timeout=60)
+    folder = tmp_path / "runs"
+
+    def close() -> None:
+        while len(contents(folder)) < 2:
+            time.sleep(0.01)
+        client.close()
+
+    closing = threading.Thread(target=close)
+    closing.start()
+    with pytest.raises(lanchester.LanchesterError, match="the same call with a new client goes on") as caught:
+        sweep(folder, client)
+    closing.join()
+    assert not isinstance(caught.value, BlockError) and "is missing" in caught.value.message or "are missing" in caught.value.message
+    kept = contents(folder)
+    with distributed.Client(cluster, timeout="60s") as own:
+        found = sweep(folder, own)
+    assert 2 <= len(kept) < 24 and len(found.computed) == 24 - len(kept)
+    assert all(contents(folder)[name] == bytes for name, bytes in kept.items())
 
 
 def contents(folder: Path) -> dict[str, bytes]:

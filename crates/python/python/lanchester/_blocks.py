@@ -8,6 +8,7 @@ from __future__ import annotations
 import contextlib
 import os
 import pickle
+import re
 import tempfile
 from collections.abc import Iterator, Mapping, Sequence
 from functools import lru_cache
@@ -15,9 +16,10 @@ from pathlib import Path
 from typing import Any
 
 from . import _native
-from ._record import Result
+from ._record import Record, Result
 from .engine import _KINDS, Engine, Variants, _natives
 from .errors import RequestError
+from . import results as _results
 from .results import Exploration, ScatterStudy
 
 __all__ = ["Study", "Tables", "compute"]
@@ -165,6 +167,33 @@ class Tables:
             for begun in self.folder.glob(".new-*"):
                 begun.unlink(missing_ok=True)
             yield
+
+
+def check_paths(question: str, paths: Sequence[str]) -> None:
+    """Refuses a path that no answer to the question has, before anything is computed: as far as the types of results say what there is."""
+    kind_of(question)
+    for path in paths:
+        here: Any = _KINDS[question][1]
+        words = ""
+        for step in _native.path_steps(path):
+            if here is None:
+                break
+            if isinstance(step, int):
+                continue
+            if step not in here._FIELDS:
+                place = f" below `{words}`" if words else ""
+                raise RequestError(f"`{path}`: there is no `{step}`{place}", f"there are {', '.join(here._FIELDS)}")
+            words = f"{words}.{step}" if words else step
+            here = _record_of(here, step)
+
+
+def _record_of(kind: type[Record], field: str) -> type[Record] | None:
+    """The class of a field's structures, where it has some."""
+    getter = vars(kind)[field].fget if field in vars(kind) else None
+    words = getattr(getter, "__annotations__", {}).get("return", "")
+    named = [getattr(_results, word, None) for word in re.findall(r"\w+", str(words))]
+    found = [own for own in named if isinstance(own, type) and issubclass(own, Record)]
+    return found[0] if len(found) == 1 else None
 
 
 def known(question: str, options: Mapping[str, Any], further: Sequence[str] = ()) -> None:

@@ -275,6 +275,7 @@ def map(
     """
     _blocks.known(question, options)
     picks = [pick] if isinstance(pick, str) else list(pick)
+    _blocks.check_paths(question, picks)
     return _run(Study(_blocks.kind_of(question), engines, options, picks), folder, client, parts, shared)
 
 
@@ -448,8 +449,15 @@ class _Cluster:
                     self._lost()
                 for future in [own for own in self.running if own.status != "pending"]:
                     self._end(future, self.running.pop(future))
+        except LanchesterError:
+            raise
+        except Exception as error:
+            # What Dask raises of a client that is closed is of many kinds: the state of the client tells.
+            if self._is_there():
+                raise
+            raise self._gone(error) from error
         finally:
-            if self.running:
+            if self.running and self._is_there():
                 self.client.cancel(list(self.running), force=True)
         if self.given_up:
             raise BlockError(self.given_up)
@@ -457,7 +465,22 @@ class _Cluster:
             warnings.warn(f"{own}; another worker has computed it", stacklevel=4)
         return self.refusals
 
+    def _is_there(self) -> bool:
+        """Whether the client still has a scheduler."""
+        return getattr(self.client, "status", "running") == "running"
+
+    def _gone(self, error: BaseException | None = None) -> LanchesterError:
+        left = len(self.waiting) + len(self.running)
+        why = f" ({type(error).__name__}: {error})" if error is not None and str(error) else ""
+        return LanchesterError(
+            f"the client of the cluster is {getattr(self.client, 'status', 'gone')}: it was closed, or the scheduler has died{why}; {left or 'some'} "
+            f"stretch{'es' if left != 1 else ''} of blocks {'are' if left != 1 else 'is'} missing in {self.folder}",
+            "finished blocks stay: the same call with a new client goes on, and computes what is missing and nothing else",
+        )
+
     def _submit(self) -> None:
+        if not self._is_there():
+            raise self._gone()
         threads = self.client.nthreads()
         self._alone(bool(threads))
         fit = [worker for worker in threads if worker not in self.unfit]
