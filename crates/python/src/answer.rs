@@ -1,7 +1,7 @@
 //! The answer to a question: the result of the facade itself, of which Python sees what it asks for.
 
 use crate::failure::Failure;
-use crate::guard::caught;
+use crate::guard::unlocked;
 use crate::native_engine::NativeEngine;
 use crate::prepared::Prepared;
 use crate::select::{Leaf, NoValue, Select, Step, steps};
@@ -226,17 +226,17 @@ impl Answer {
 
     /// The JSON of the command line.
     fn json(&self, py: Python<'_>) -> PyResult<String> {
-        Ok(py.detach(|| caught(|| self.data.0.json().map_err(Failure::Internal)))?)
+        Ok(unlocked(py, || self.data.0.json().map_err(Failure::Internal))?)
     }
 
     /// The text of the command line.
     fn text(&self, py: Python<'_>) -> PyResult<String> {
-        Ok(py.detach(|| caught(|| Ok(self.data.0.text())))?)
+        Ok(unlocked(py, || Ok(self.data.0.text()))?)
     }
 
     /// The tables, each as (name, title, columns): columns are (header, unit, values).
     fn tables(&self, py: Python<'_>) -> PyResult<Py<PyAny>> {
-        let tables = py.detach(|| caught(|| Ok(self.data.0.tables())))?;
+        let tables = unlocked(py, || Ok(self.data.0.tables()))?;
         let list = PyList::empty(py);
         for table in tables {
             let columns = PyList::empty(py);
@@ -251,7 +251,7 @@ impl Answer {
 
     /// The pictures, each as (name, title, SVG).
     fn figures(&self, py: Python<'_>) -> PyResult<Vec<(String, String, String)>> {
-        let figures = py.detach(|| caught(|| Ok(self.data.0.figures())))?;
+        let figures = unlocked(py, || Ok(self.data.0.figures()))?;
         Ok(figures.into_iter().map(|[name, title, svg]| (name, title, svg)).collect())
     }
 
@@ -262,7 +262,7 @@ impl Answer {
 
     /// The engine with what was found, or `None` where this result finds nothing.
     fn adopted(&self, py: Python<'_>, number: usize) -> PyResult<Option<NativeEngine>> {
-        let found = py.detach(|| caught(|| self.data.0.adopted(number)))?;
+        let found = unlocked(py, || self.data.0.adopted(number))?;
         Ok(found.map(NativeEngine::from))
     }
 }

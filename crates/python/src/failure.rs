@@ -6,6 +6,9 @@ use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 use std::fmt;
 
+/// The code of an argument that cannot be used.
+const ARGUMENT: &str = "Argument";
+
 /// Why there is no answer.
 #[derive(Debug)]
 pub enum Failure {
@@ -24,7 +27,7 @@ pub enum Failure {
         message: String,
         /// What to do.
         hint: Option<String>,
-        /// Type and variant of the error, such as `LoadError.Speed`; empty for an option.
+        /// Type and variant of the error, such as `LoadError.Speed`; [`ARGUMENT`] for an argument that cannot be used.
         code: String,
     },
     /// The user has pressed Ctrl-C, or a signal handler has raised.
@@ -36,7 +39,7 @@ pub enum Failure {
 impl Failure {
     /// An option that cannot be used: `message` says what was needed and what was got, `hint` what to do.
     pub fn option(message: impl fmt::Display, hint: impl fmt::Display) -> Failure {
-        Failure::Refused { message: message.to_string(), hint: Some(hint.to_string()), code: String::new() }
+        Failure::Refused { message: message.to_string(), hint: Some(hint.to_string()), code: ARGUMENT.into() }
     }
 
     /// An error of the facade in its own words; its hint stands behind `hint: `.
@@ -56,7 +59,8 @@ impl Failure {
 
 impl From<BadQuantity> for Failure {
     fn from(bad: BadQuantity) -> Failure {
-        Failure::option(bad.message, bad.hint)
+        let code = format!("{ARGUMENT}.Quantity");
+        Failure::Refused { message: bad.message, hint: Some(bad.hint), code }
     }
 }
 

@@ -1,11 +1,12 @@
-//! Computing without the interpreter's lock: no panic crosses, Ctrl-C is heard.
+//! Computing without the interpreter's lock: no panic crosses, Ctrl-C is heard, and a forked process has threads of its own.
 
 use crate::failure::Failure;
 use pyo3::prelude::*;
+use rayon::{ThreadPool, ThreadPoolBuilder};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, channel};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use std::time::Duration;
 
 /// Between two looks for Ctrl-C.
@@ -16,7 +17,7 @@ pub fn unlocked<T: Send>(
     py: Python<'_>,
     compute: impl FnOnce() -> Result<T, Failure> + Send,
 ) -> Result<T, Failure> {
-    py.detach(|| caught(compute))
+    py.detach(|| caught(|| in_own_process(compute)))
 }
 
 /// Computes on a thread of its own while this one waits for the answer or for Ctrl-C, upon which nobody waits for the answer any
@@ -32,7 +33,7 @@ pub fn waited_for<T: Send + 'static>(
     let own = watch.clone();
     let spawned = std::thread::Builder::new().name("lanchester".into()).spawn(move || {
         // Nobody may wait any more.
-        let _ = send.send(caught(|| compute(&own)));
+        let _ = send.send(caught(|| in_own_process(|| compute(&own))));
     });
     spawned.map_err(|error| Failure::Internal(format!("no thread can be started: {error}")))?;
     loop {
@@ -50,6 +51,41 @@ pub fn waited_for<T: Send + 'static>(
             }
         }
     }
+}
+
+/// The process that imported this module.
+static FIRST_PROCESS: OnceLock<u32> = OnceLock::new();
+
+/// The threads of a process that was forked from it.
+static FORKED_POOL: Mutex<Option<(u32, Arc<ThreadPool>)>> = Mutex::new(None);
+
+/// Remembers which process imports the module.
+pub fn imported() {
+    FIRST_PROCESS.get_or_init(std::process::id);
+}
+
+/// Computes with threads that are there: a child made by a fork has none of its parent's, and would wait for them without end.
+fn in_own_process<T: Send>(compute: impl FnOnce() -> Result<T, Failure> + Send) -> Result<T, Failure> {
+    let own = std::process::id();
+    if *FIRST_PROCESS.get_or_init(std::process::id) == own {
+        return compute();
+    }
+    let pool = {
+        let mut forked = FORKED_POOL.lock().unwrap_or_else(PoisonError::into_inner);
+        match forked.as_ref().filter(|(process, _)| *process == own) {
+            Some((_, pool)) => pool.clone(),
+            None => {
+                let made = ThreadPoolBuilder::new().build().map_err(|error| {
+                    Failure::Internal(format!("a forked process can start no threads of its own: {error}"))
+                })?;
+                let pool = Arc::new(made);
+                // The pool of the process before: its threads are not here, and its end would wait for them.
+                std::mem::forget(forked.replace((own, pool.clone())));
+                pool
+            }
+        }
+    };
+    pool.install(compute)
 }
 
 /// Runs it; a panic becomes [`Failure::Internal`].

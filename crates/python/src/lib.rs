@@ -56,6 +56,12 @@ mod _native {
     #[pymodule_export]
     use super::native_study::study;
 
+    #[pymodule_init]
+    fn init(_module: &pyo3::Bound<'_, pyo3::types::PyModule>) -> pyo3::PyResult<()> {
+        super::guard::imported();
+        Ok(())
+    }
+
     /// The version of the package.
     #[pymodule_export]
     const VERSION: &str = env!("CARGO_PKG_VERSION");

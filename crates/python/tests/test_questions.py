@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import inspect
 import math
+import os
 import signal
 import subprocess
 import sys
@@ -55,6 +56,49 @@ def test_wrong_arguments_are_refused_with_words(options: dict[str, Any], words: 
     with pytest.raises(RequestError) as caught:
         FOUR.loads(**options)
     assert words in str(caught.value) and caught.value.hint, str(caught.value)
+
+
+def test_arguments_that_cannot_be_used_have_a_code() -> None:
+    for wrong, code in (({"orders": 1.5}, "Argument"), ({"speed": "60 mm"}, "Argument.Quantity")):
+        with pytest.raises(RequestError) as caught:
+            FOUR.loads(**wrong)  # type: ignore[arg-type]
+        assert caught.value.code == code
+
+
+def test_ranges_and_lists_may_be_texts() -> None:
+    mounted = Engine.read(Path(__file__).parents[3] / "examples" / "in-line-4-mounts.toml")
+    spread = mounted.mounts(speeds="1000 rpm .. 3000 rpm by 1000 rpm, 5000 rpm")
+    # The values of a range are sums: the last digit may differ.
+    np.testing.assert_allclose(spread.response.speeds.column("speed"), np.array([1000, 2000, 3000, 5000]) * np.pi / 30, rtol=1e-14)
+    space: dict[str, Any] = {"minimise": "force order 2", "throw_angles": "every 180 deg"}
+    one = Engine.template("v6-60").explore(bank_angle="60 deg .. 120 deg by 30 deg", rod_ratio="0.28 .. 0.3 by 0.02", **space)
+    other = Engine.template("v6-60").explore(bank_angle=["60 deg", "90 deg", "120 deg"], rod_ratio=[0.28, 0.3], **space)
+    assert one.counts.judged == other.counts.judged > 0 and len(one.front) == len(other.front)
+    for own, same in zip(one.front, other.front, strict=True):
+        np.testing.assert_allclose(own.values, same.values, rtol=1e-9, atol=1e-6)
+    with pytest.raises(RequestError, match="needs the step of a range"):
+        mounted.mounts(speeds="1000 rpm .. 3000 rpm")
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="there is no fork here")
+def test_a_forked_process_computes() -> None:
+    script = (
+        "import multiprocessing, lanchester\n"
+        "four = lanchester.Engine.template('in-line-4')\n"
+        "rods = four.variants({'rod.length': [0.13 + 1e-3 * k for k in range(40)]})\n"
+        "def mapped(place):\n"
+        "    return float(lanchester.map('loads', rods, 'total.peaks.force.max.value', samples=1)['total.peaks.force.max.value'][place])\n"
+        "def searched(place):\n"
+        "    return four.explore(minimise='force order 2', throw_angles='every 90 deg').counts.judged\n"
+        "before = mapped(3), searched(0)\n"
+        "with multiprocessing.get_context('fork').Pool(2) as pool:\n"
+        "    assert pool.map_async(mapped, [3, 3]).get(timeout=100) == [before[0]] * 2\n"
+        "    assert pool.map_async(searched, [0, 1]).get(timeout=100) == [before[1]] * 2\n"
+        "assert (mapped(3), searched(0)) == before\n"
+        "print('done')\n"
+    )
+    done = subprocess.run([sys.executable, "-W", "ignore", "-c", script], capture_output=True, text=True, timeout=240, check=False)
+    assert done.returncode == 0 and done.stdout == "done\n", done.stderr
 
 
 def test_errors_of_the_crates_have_a_code() -> None:

@@ -52,7 +52,7 @@ Quantity = float | str
 
 Q = TypeVar("Q", bound=Result)
 Limits = str | Sequence[str]
-Quantities = Quantity | Sequence[Quantity]
+Quantities = Quantity | Sequence[Quantity] | FloatArray
 
 
 def _again(text: str, folder: Path | None) -> Engine:
@@ -722,7 +722,7 @@ class Engine:
         split_angle: Quantities = (),
         stagger: Quantities = (),
         spacing: Quantities = (),
-        rod_ratio: float | Sequence[float] = (),
+        rod_ratio: float | str | Sequence[float] | FloatArray = (),
         throw_angles: Quantities = (),
         counterweights: Limits = (),
         without_firing: bool = False,
