@@ -445,6 +445,26 @@ test("the strongest number is first, for what is chosen", async ({ studio, page 
   await expect(force).toContainText("throw angle 1");
 });
 
+test("rigid-body modes swing, and a map shows orders over speed", async ({ studio, page }) => {
+  await open(page, studio, "Mounts");
+  const shape = page.getByRole("group", { name: "Shape of a rigid-body mode" });
+  await shape.scrollIntoViewIfNeeded();
+  const box = shape.locator("svg path.now");
+  const still = await box.getAttribute("d");
+  expect(still).not.toBe(await shape.locator("svg path.still").getAttribute("d"));
+  await expect(shape.getByRole("radio")).toHaveCount(6);
+  await shape.getByRole("button", { name: "Animate" }).click();
+  await expect.poll(() => box.getAttribute("d")).not.toBe(still);
+  await shape.getByRole("button", { name: "Stop" }).click();
+  await expect(box).toHaveAttribute("d", still ?? "");
+  await shape.getByRole("radio").nth(3).check({ force: true });
+  await expect(box).not.toHaveAttribute("d", still ?? "");
+
+  const map = page.locator('figure[data-map="Orders of the forces at the mounts over speed"]');
+  await map.locator("svg").hover();
+  await expect(map).toContainText(/order [\d/]+ at [\d\u202f]+ rpm: /);
+});
+
 test.describe("an in-line three", () => {
   test.use({ example: "in-line-3.toml" });
 

@@ -86,6 +86,11 @@ test.describe("an engine with two crankshafts", () => {
     const notes = await criticals.getByRole("listitem").allInnerTexts();
     expect(notes.length).toBeGreaterThan(1);
     expect(new Set(notes).size).toBe(notes.length);
+    const mode = page.getByRole("region", { name: "Shape of a torsional mode" });
+    const hand = mode.locator("path.hand").first();
+    const still = await hand.getAttribute("d");
+    await mode.getByRole("button", { name: "Animate" }).click();
+    await expect.poll(() => hand.getAttribute("d")).not.toBe(still);
     // The page goes on: nothing of it fell over.
     await page.getByRole("tab", { name: "Engine" }).click();
     await expect(page.getByRole("region", { name: "Engine as a form" })).toBeVisible();

@@ -57,3 +57,20 @@ export function forces(study: MountStudy, mount: number): Series[] {
     })),
   ];
 }
+
+/** The largest force of each order at any mount over speed. */
+export function orderMap({ response: { speeds } }: MountStudy): {
+  speeds: number[];
+  orders: number[];
+  values: number[][];
+} {
+  const orders = [...new Set(speeds.flatMap((one) => one.orders.map(({ order }) => order)))].sort(
+    (a, b) => a - b,
+  );
+  const values = orders.map((order) =>
+    speeds.map((one) =>
+      Math.max(0, ...(one.orders.find((other) => other.order === order)?.forces ?? []).map(amplitude)),
+    ),
+  );
+  return { speeds: speeds.map((one) => one.speed), orders, values };
+}
