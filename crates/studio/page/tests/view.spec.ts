@@ -205,6 +205,18 @@ test("rounding has no arrow, and no label lies on another at any angle", async (
   }
 });
 
+test("arrows keep their scale from engine to engine, until it is fitted anew", async ({ studio, page }) => {
+  await openView(page, studio.address);
+  const scale = page.getByText(/^An arrow of full length is/);
+  await expect(scale).toContainText(/\d N or [\d\u202f.]+ N m, whatever the engine\.$/);
+  const before = await scale.innerText();
+  await newEngine(page, "single", "single, four-stroke, crank counterweight of 50 %");
+  await expect(scale).toContainText(before.replace(/ Longer ones are cut\.$/, ""));
+  await page.getByRole("button", { name: "Fit to what is shown" }).click();
+  await expect(scale).not.toContainText(before);
+  await expect(scale).not.toContainText("Longer ones are cut");
+});
+
 test("what is hidden is not drawn, and the arrows have their numbers", async ({ studio, page }) => {
   await keepPictures(page);
   await openView(page, studio.address);

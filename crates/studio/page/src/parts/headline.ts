@@ -1,7 +1,7 @@
 // The few numbers that are always seen, out of the loads.
 
 import type { Loads, OrderLoads } from "../api/types";
-import type { Measure } from "../state/units.svelte";
+import { digits, type Measure } from "../state/units.svelte";
 import { noise } from "./results/forces/magnitude";
 
 export interface Figure {
@@ -88,6 +88,6 @@ export function change(before: number, now: number): string {
   if (now === 0) return "gone";
   const percent = (now / before - 1) * 100;
   if (Math.abs(percent) < 0.05) return "same";
-  if (percent > 999) return `× ${(now / before).toPrecision(3)}`;
+  if (percent > 999) return `× ${digits(now / before, 3)}`;
   return `${percent < 0 ? "−" : "+"}${Math.abs(percent).toFixed(Math.abs(percent) < 10 ? 1 : 0)} %`;
 }

@@ -143,7 +143,14 @@ export function toSi(value: number, measure: Measure): number {
   return value * UNITS[units.system][measure].si;
 }
 
-/** So many digits that count, with a true minus sign, without an exponent as long as the number stays readable: for people alone. */
+/** Narrow spaces between thousands, from ten thousand on, as in the program's tables. */
+export const spaced = (text: string): string =>
+  text.replace(/^-?\d{5,}/, (whole) => whole.replace(/\B(?=(\d{3})+$)/g, "\u202f"));
+
+/**
+ * So many digits that count, with a true minus sign and thousands apart, without an exponent as long as the number stays readable:
+ * for people alone.
+ */
 export function digits(value: number, significant = 4): string {
   if (!Number.isFinite(value)) return "–";
   if (value === 0) return "0";
@@ -151,7 +158,7 @@ export function digits(value: number, significant = 4): string {
   const plain =
     size >= 6 || size < -4
       ? value.toExponential(significant - 1).replace("e+", "e")
-      : value.toFixed(Math.max(0, Math.min(8, significant - 1 - size)));
+      : spaced(value.toFixed(Math.max(0, Math.min(8, significant - 1 - size))));
   return plain.replaceAll("-", "−");
 }
 

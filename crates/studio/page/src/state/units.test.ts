@@ -9,6 +9,13 @@ describe("numbers for people", () => {
     expect(digits(NaN)).toBe("–");
   });
 
+  it("have thousands apart from ten thousand on, as tables of the program", () => {
+    expect(digits(39902.4)).toBe("39\u202f902");
+    expect(digits(-123456.7)).toBe("−123\u202f457");
+    expect(digits(9876)).toBe("9876");
+    expect(digits(0.00012345)).toBe("0.0001235");
+  });
+
   it("have a true minus sign, in the exponent too", () => {
     expect(digits(-127)).toBe("−127.0");
     expect(digits(-1.5e-7, 2)).toBe("−1.5e−7");
