@@ -188,3 +188,50 @@ fn a_workshop_sheet_is_answered_as_its_command_prints_it() {
     assert_eq!((status, problem["message"].as_str()), (422, Some("the sheet has nothing to work out")));
     assert_eq!(ask("/api/workshop", json!({ "sheet": "[parts]\nbig_end = 3\n" })).0, 422);
 }
+
+/// Weights of a three: the file counts from throws, wherever these stand; without `[simulation]` a run starts at the highest speed.
+#[test]
+fn directions_count_as_the_file_counts_them_and_a_run_starts_where_it_says() {
+    let three = template("in-line-3").expect("it is in the gallery").text;
+    let (status, read) = ask("/api/engine", json!({ "text": three, "edits": [] }));
+    assert_eq!(status, 200, "{read}");
+    let weights = read["engine"]["counterweights"].as_array().expect("weights");
+    for (index, weight) in weights.iter().enumerate() {
+        assert_eq!(weight["from_throw"], json!(index + 1));
+        let (direction, half) = (weight["direction"].as_f64().expect("an angle"), std::f64::consts::PI);
+        assert!(((direction - half) / (2.0 * half)).fract().abs() < 1e-12, "opposite its throw: {direction}");
+    }
+    let start = &read["engine"]["run_start"];
+    assert_eq!(start["given"]["speed"], read["engine"]["highest_speed"]);
+    let told = format!("{three}\n[simulation]\nstart = {{ speed = \"3700 rpm\", angle = \"90 deg\" }}\n");
+    let (_, read) = ask("/api/engine", json!({ "text": told, "edits": [] }));
+    let given = &read["engine"]["run_start"]["given"];
+    let rpm = given["speed"].as_f64().expect("a speed") * 30.0 / std::f64::consts::PI;
+    assert!((rpm - 3700.0).abs() < 1e-9, "rounding of the unit: {rpm}");
+    let angle = given["angle"].as_f64().expect("an angle");
+    assert!((angle - std::f64::consts::FRAC_PI_2).abs() < 1e-12, "rounding of the unit: {angle}");
+}
+
+/// Mean piston speed = 2 stroke n: each engine at the speed of its own stroke.
+#[test]
+fn engines_are_compared_at_one_mean_piston_speed() {
+    let text = |stroke: f64| {
+        format!(
+            "name = \"single\"\nstrokes = 4\nspeed = \"6000 rpm\"\n[layout]\ntype = \"in-line\"\ncylinders = 1\n[crank]\nstroke = \"{stroke} mm\"\n[piston]\nmass = \"0.4 kg\"\n[rod]\nlength = \"150 mm\"\nmass = \"0.5 kg\"\n"
+        )
+    };
+    let engines = json!([{ "name": "short", "text": text(60.0) }, { "name": "long", "text": text(90.0) }]);
+    let (status, found) = ask("/api/compare", json!({ "engines": engines, "piston_speed": 15.0 }));
+    assert_eq!(status, 200, "{found}");
+    for (place, stroke) in [(0, 0.06), (1, 0.09)] {
+        let speed = found["engines"][place]["speed"].as_f64().expect("a speed");
+        let piston_speed = stroke * speed / std::f64::consts::PI;
+        assert!((piston_speed - 15.0).abs() < 1e-9, "rounding: {piston_speed} m/s");
+    }
+    let (_, found) = ask("/api/compare", json!({ "engines": engines, "speed": 300.0 }));
+    for engine in found["engines"].as_array().expect("engines") {
+        assert_eq!(engine["speed"], json!(300.0));
+    }
+    let (status, refused) = ask("/api/compare", json!({ "engines": engines, "piston_speed": 0.0 }));
+    assert_eq!(status, 422, "{refused}");
+}
