@@ -17,6 +17,7 @@ import pytest
 
 import lanchester
 from lanchester import Engine, Record, Records, RequestError, Result, results
+from lanchester.table import Table
 
 ROOT = Path(__file__).parents[3]
 EXAMPLES = ROOT / "examples"
@@ -32,14 +33,15 @@ def asked() -> dict[str, Result]:
     return {
         "loads": four.loads(),
         "bending": four.bending(),
-        "inertias": four.inertias(),
+        "inertias": whole.inertias(),
         "torque": mounted.torque(speeds=["1000 rpm", "2000 rpm", "3000 rpm"]),
         "bearings": mounted.bearings(),
         "mounts": mounted.mounts(steps=3, points=[(0.0, 0.0, 0.1)]),
         "balance": twin.balance(minimise="force", counterweights="throws"),
+        "robust_balance": twin.with_(tolerances={"piston_mass": {"plus_minus": "4 g"}}).robust_balance(engines=20, minimise="force", counterweights="throws"),
         "arrangements": twin.arrangements(max_shafts=1),
         "counterweight": weights.counterweight(),
-        "counterweight_check": weights.counterweight_check(),
+        "counterweight_check": weights.counterweight().adopt().counterweight_check(),
         "workshop": Engine.template("v6-60").workshop(),
         "explore": four.explore(minimise=["force order 2", "couple order 1"], throw_angles="every 90 deg", even_firing=True),
         "scatter": production.scatter(samples=2000),
@@ -212,7 +214,68 @@ def test_every_result_has_a_table_or_a_picture(all_results: dict[str, Result]) -
         assert result.tables or result.figures, name
     for name in ("films", "bondgraph", "modes", "stress", "counterweight"):
         assert all(picture.svg.startswith("<svg") for picture in all_results[name].figures), name
-        assert all_results[name].figures and "<svg" in all_results[name]._repr_html_(), name
+        page = all_results[name]._repr_html_()
+        assert all_results[name].figures and ("<svg" in page or "<img" in page) and len(page) < 200_000, (name, len(page))
+    for name in ("simulate", "robust_balance", "bondgraph"):
+        assert all_results[name].tables, name
+
+
+def test_tables_have_names_of_their_own_and_go_to_arrow(all_results: dict[str, Result]) -> None:
+    for result in all_results.values():
+        names = [table.name for table in result.tables]
+        assert len(set(names)) == len(names), names
+        for table in result.tables:
+            assert result.table(table.name).title == table.title
+            assert table.to_arrow().num_rows == len(table.to_dataframe()) == len(table), table.name
+    assert len(all_results["sensitivity"].tables) > 1
+    # Words and numbers in one column.
+    mixed = Table("mixed", "Mixed", {"a": ["any", 50.0, None, 0.1]}, {"a": "%"})
+    assert mixed.to_arrow().column("a [%]").to_pylist() == ["any", "50", None, "0.1"]
+    assert mixed.to_dataframe()["a [%]"][1] == 50.0
+
+
+def test_series_and_lists_are_tables(all_results: dict[str, Result]) -> None:
+    import pyarrow
+
+    loads, run = Engine.template("in-line-4").loads(), Engine.read(EXAMPLES / "generator-set-3.toml").simulate(duration="0.05 s").run
+    frame = loads.total.trace.to_dataframe()
+    assert frame.columns[0] == "theta [rad]" and len(frame) == len(loads.total.trace.theta)
+    np.testing.assert_array_equal(frame["force_x [N]"], loads.total.trace.force_x)
+    samples = run.samples.to_table()
+    assert list(samples.columns)[:2] == ["time", "theta"] and len(samples) == len(run.samples.time)
+    # Given sample by sample: mount, then axis.
+    np.testing.assert_array_equal(samples["mounts_2_y"], [own[1, 1] for own in run.samples.mounts])
+    assert samples.units["mounts_2_y"] == "N" and samples.units["position_x"] == "m"
+    orders = loads.total.orders
+    for own in (loads.total.trace, orders, loads):
+        table = pyarrow.table(own)
+        assert table.num_rows == len(own.to_table()) > 2
+    assert "force_forward_re [N]" in pyarrow.table(orders).column_names
+    with pytest.raises(RequestError, match="no series"):
+        loads.total.peaks.to_table()
+
+
+def strengthened(body: dict[str, Any]) -> Result:
+    return Engine.template("in-line-4").complete().with_({f"crank.body.{key}": value for key, value in body.items()}).strength()
+
+
+def test_plots_name_outputs_inputs_and_every_checked_place(all_results: dict[str, Result]) -> None:
+    scatter = Engine.read(EXAMPLES / "in-line-4-production.toml").scatter(samples=500).plot()
+    for axes in scatter.axes:
+        assert axes.get_title() in all_results["scatter"].table("scatter")["load"] and "[N" in axes.get_xlabel()
+    names = [label.get_text() for label in Engine.template("in-line-4").sensitivity().plot().axes[0].get_yticklabels()]
+    assert names[0].startswith("crank radius, ±") and not any("{" in name for name in names)
+    left, middle, force, couple = Engine.template("v6-90").loads().plot().axes
+    assert force.get_ylabel() == "force [N]" and couple.get_ylabel() == "couple [N m]"
+    assert left.get_legend() is None and middle.get_legend() is None
+    bored = strengthened({"oil_hole.diameter": "6 mm"})
+    places = [label.get_text() for label in bored.plot().axes[0].get_yticklabels()]
+    assert "oil bore of pin 1" in places and set(bored.table("strength-safety")["place"]) <= set(places)
+
+
+def test_a_plot_without_anything_to_draw_says_so() -> None:
+    figure = strengthened({"pin_fillet": "0.5 mm", "journal_fillet": "0.5 mm"}).plot()
+    assert "outside the range" in figure.axes[0].texts[0].get_text()
 
 
 def test_results_travel_between_processes(all_results: dict[str, Result]) -> None:

@@ -5,4 +5,4 @@ pub(crate) mod picture;
 pub(crate) mod section;
 
 pub use figures::bond_graph_figures;
-pub use section::{BOND_GRAPH_VERSION, BondGraphResult, bond_graph_section};
+pub use section::{BOND_GRAPH_VERSION, BondGraphResult, bond_graph_section, causality_tables};

@@ -23,7 +23,7 @@ pub use consequence_tables::consequences_table;
 pub use consequence_text::consequence_words;
 pub use durable::{durability_table, durability_text, durability_words, durable_weights_table, moved_words};
 pub use figures::optimum_figures;
-pub use robust::robust_text;
+pub use robust::{robust_tables, robust_text};
 pub use section::{OptimumInput, optimum_section};
 pub use tables::{
     effects_table, found_inertias_table, found_shafts_table, found_weights_table, limits_table, stages_table,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Generic, TypeVar, overload
 
@@ -10,7 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ._kept import Kept
-from .errors import RequestError
+from .errors import LanchesterError, RequestError
 from .table import Table
 
 if TYPE_CHECKING:
@@ -91,6 +92,44 @@ class Record:
         plain: dict[str, Any] = _plain(dict(self._values))
         return plain
 
+    def to_table(self) -> Table:
+        """The fields that are series as a table: a trace over the angle, the samples of a run. A vector has a column for each component.
+
+        >>> from lanchester import Engine
+        >>> trace = Engine.template("in-line-4").loads().total.trace
+        >>> len(trace.to_table()) == len(trace.theta)
+        True
+        """
+        fields = {name: getattr(self, name) for name in self._FIELDS}
+        lengths = [len(own) for own in fields.values() if isinstance(own, np.ndarray) and own.ndim in (1, 2)]
+        count = max(lengths, key=lambda length: (lengths.count(length), length), default=0)
+        if count == 0:
+            raise RequestError(f"{type(self).__name__} has no series that make a table", "its fields are attributes, and `to_dict()` has them all")
+        columns: dict[str, Any] = {}
+        units: dict[str, str] = {}
+        # What everything else is over comes first.
+        first = ("time", "theta", "speeds")
+        for name in sorted(fields, key=lambda name: first.index(name) if name in first else len(first)):
+            value, unit = fields[name], _unit(type(self), name)
+            if isinstance(value, np.ndarray) and value.ndim in (1, 2) and len(value) == count:
+                _put(columns, units, name, value, unit)
+            for place, own in enumerate(_parts(value, count), 1):
+                _put(columns, units, f"{name}_{place}", own, unit)
+        return Table(type(self).__name__, type(self).__name__, columns, units)
+
+    def to_dataframe(self) -> Any:
+        """The same as a pandas DataFrame, which needs pandas.
+
+        >>> from lanchester import Engine
+        >>> frame = Engine.template("in-line-4").loads().total.trace.to_dataframe()
+        >>> "force_x [N]" in frame.columns
+        True
+        """
+        return self.to_table().to_dataframe()
+
+    def __arrow_c_stream__(self, requested_schema: object | None = None) -> object:
+        return self.to_table().__arrow_c_stream__(requested_schema)
+
     def __repr__(self) -> str:
         shown = ", ".join(f"{name}={_short(getattr(self, name))}" for name in self._FIELDS[:8])
         more = ", ..." if len(self._FIELDS) > 8 else ""
@@ -98,6 +137,39 @@ class Record:
 
     def __dir__(self) -> list[str]:
         return sorted({*super().__dir__()})
+
+
+def _parts(value: Any, count: int) -> list[Any]:
+    """The series of the parts of a field: given sample by sample, or part by part."""
+    if not (isinstance(value, list) and value and all(isinstance(own, np.ndarray) and own.ndim in (1, 2) for own in value)):
+        return []
+    if len(value) == count and len({own.shape for own in value}) == 1:
+        return list(np.swapaxes(np.asarray(value), 0, 1))
+    return [own for own in value if len(own) == count]
+
+
+_COMPONENTS = {2: ("re", "im"), 3: ("x", "y", "z"), 4: ("w", "x", "y", "z")}
+
+
+def _put(columns: dict[str, Any], units: dict[str, str], name: str, values: Any, unit: str) -> None:
+    """Puts values into a column, or each of their components into one of its own."""
+    if values.ndim == 1:
+        columns[name] = values
+        if unit:
+            units[name] = unit
+        return
+    names = _COMPONENTS.get(values.shape[1]) or tuple(str(place) for place in range(1, values.shape[1] + 1))
+    for place, component in enumerate(names):
+        _put(columns, units, f"{name}_{component}", values[:, place], unit)
+
+
+def _unit(kind: type[Any], name: str) -> str:
+    """The unit of a field by its description; empty where it has none, or several."""
+    found = set(_UNIT.findall(getattr(kind, name).__doc__ or ""))
+    return "" if len(found) != 1 else str(found.pop())
+
+
+_UNIT = re.compile(r"\[((?:rad|deg|rpm|kg|N|J|W|Pa|Hz|K|m|s|1/)[A-Za-z0-9/^() ]*)\]")
 
 
 def _plain(value: Any) -> Any:
@@ -152,7 +224,7 @@ class Records(Sequence[R], Generic[R]):
         return (self.kind(values) for values in self._all)
 
     def column(self, name: str) -> Any:
-        """One field of all: an array where it is a number or an array, else a list.
+        """One field of all: an array where it is a number or an array of one shape, else a list.
 
         >>> from lanchester import Engine
         >>> Engine.template("in-line-4").loads().cylinders.column("cylinder")
@@ -162,26 +234,30 @@ class Records(Sequence[R], Generic[R]):
             raise AttributeError(f"{self.kind.__name__} has no `{name}`; it has {', '.join(self.kind._FIELDS)}")
         values = [getattr(own, name) for own in self]
         if values and all(isinstance(value, (float, np.ndarray)) for value in values):
-            return np.asarray(values, dtype=np.float64)
+            shapes = {np.shape(value) for value in values}
+            return np.asarray(values, dtype=np.float64) if len(shapes) == 1 else values
         return values
 
     def to_table(self) -> Table:
-        """The fields that are numbers, texts or truth values as a table.
+        """The fields that are numbers, texts or truth values as a table; a vector has a column for each component.
 
         >>> from lanchester import Engine
         >>> "order" in Engine.template("in-line-4").loads().total.orders.to_table().columns
         True
         """
         columns: dict[str, Any] = {}
+        units: dict[str, str] = {}
         for name in self.kind._FIELDS:
             values = self.column(name)
-            if isinstance(values, np.ndarray) and values.ndim == 2 and values.shape[1] == 2:
-                columns[f"{name}_re"], columns[f"{name}_im"] = values[:, 0], values[:, 1]
-            elif isinstance(values, np.ndarray) and values.ndim == 1:
-                columns[name] = values
+            unit = _unit(self.kind, name)
+            if isinstance(values, np.ndarray):
+                if values.ndim == 1 or (values.ndim == 2 and values.shape[1] <= 4):
+                    _put(columns, units, name, values, unit)
             elif all(value is None or isinstance(value, (str, int, float, bool)) for value in values):
                 columns[name] = values
-        return Table(self.kind.__name__, self.kind.__name__, columns, {})
+                if unit:
+                    units[name] = unit
+        return Table(self.kind.__name__, self.kind.__name__, columns, units)
 
     def to_dataframe(self) -> Any:
         """The same as a pandas DataFrame, which needs pandas.
@@ -192,6 +268,9 @@ class Records(Sequence[R], Generic[R]):
         True
         """
         return self.to_table().to_dataframe()
+
+    def __arrow_c_stream__(self, requested_schema: object | None = None) -> object:
+        return self.to_table().__arrow_c_stream__(requested_schema)
 
     def __repr__(self) -> str:
         return f"[{', '.join(repr(own) for own in self)}]" if len(self) <= 3 else f"<{len(self)} {self.kind.__name__}>"
@@ -304,13 +383,21 @@ class Result(Record):
 
     @property
     def tables(self) -> list[Table]:
-        """The tables of the report.
+        """The tables of the report. Where several are of one kind, the second has a name that ends in ``-2``.
 
         >>> from lanchester import Engine
         >>> Engine.template("in-line-4").loads().tables[1].name
         'peaks'
         """
-        return [Table._of(*parts) for parts in self._answer.tables()]
+        tables = [Table._of(*parts) for parts in self._answer.tables()]
+        taken: set[str] = set()
+        for table in tables:
+            name, number = table.name, 2
+            while table.name in taken:
+                table.name = f"{name}-{number}"
+                number += 1
+            taken.add(table.name)
+        return tables
 
     def table(self, name: str) -> Table:
         """One of the tables by its name.
@@ -326,6 +413,20 @@ class Result(Record):
         names = ", ".join(table.name for table in tables) or "no table at all"
         raise RequestError(f'there is no table "{name}" in {type(self).__name__}', f"there is {names}")
 
+    def to_table(self, name: str | None = None) -> Table:
+        """One of the tables, the first one where no name is given.
+
+        >>> from lanchester import Engine
+        >>> Engine.template("in-line-4").loads().to_table("peaks").name
+        'peaks'
+        """
+        if name is not None:
+            return self.table(name)
+        tables = self.tables if isinstance(self._values, _Lazy) else []
+        if not tables:
+            raise RequestError(f"{type(self).__name__} has no table", "its fields are attributes")
+        return tables[0]
+
     def to_dataframe(self, name: str | None = None) -> Any:
         """One of the tables as a pandas DataFrame, the first one where no name is given. It needs pandas.
 
@@ -334,12 +435,7 @@ class Result(Record):
         >>> len(frame) > 3
         True
         """
-        if name is None:
-            tables = self.tables
-            if not tables:
-                raise RequestError(f"{type(self).__name__} has no table", "its fields are attributes")
-            return tables[0].to_dataframe()
-        return self.table(name).to_dataframe()
+        return self.to_table(name).to_dataframe()
 
     @property
     def figures(self) -> list[Picture]:
@@ -376,12 +472,35 @@ class Result(Record):
         return adopt(self, number)
 
     def _repr_html_(self) -> str:
-        pictures = [picture.svg for picture in self.figures[:2]]
+        pictures: list[str] = []
+        for picture in self.figures[:2]:
+            if sum(map(len, pictures)) + len(picture.svg) <= MOST_SVG:
+                pictures.append(picture.svg)
+        if not pictures and self.figures:
+            # A mesh as SVG would fill the notebook's file.
+            pictures = _drawn(self)
         tables = [table._repr_html_() for table in self.tables[: 1 if pictures else 2]]
         return "\n".join([*pictures, *tables]) or f"<pre>{_escaped(self.to_text() or repr(self))}</pre>"
 
 
 Q = TypeVar("Q", bound=Result)
+
+
+MOST_SVG = 150_000
+"""Characters of SVG that a notebook is given at most for one result."""
+
+
+def _drawn(result: Result) -> list[str]:
+    """The plot of a result as an image for a page; none without Matplotlib."""
+    from base64 import b64encode
+    from io import BytesIO
+
+    image = BytesIO()
+    try:
+        result.plot().savefig(image, format="png", dpi=80)
+    except LanchesterError:
+        return []
+    return [f'<img alt="{_escaped(type(result).__name__)}" src="data:image/png;base64,{b64encode(image.getvalue()).decode()}"/>']
 
 
 def _kept_again(kind: type[Q], kept: Kept, engines: tuple[Engine, ...]) -> Q:

@@ -56,6 +56,25 @@ def _clean(values: Any, noise: float) -> Any:
     return np.where(np.asarray(values) > noise, values, 0.0)
 
 
+def _legend_below(figure: Figure, axes: Any, count: int = 4) -> None:
+    """A legend outside the axes, where no bar is."""
+    figure.legend(*axes.get_legend_handles_labels(), loc="outside lower center", ncols=count, frameon=False, fontsize=8)
+
+
+def _said(axes: Any, words: str) -> None:
+    """Words in the place of what cannot be drawn."""
+    axes.set_axis_off()
+    axes.text(0.5, 0.5, words, ha="center", va="center", wrap=True, transform=axes.transAxes)
+
+
+def _bars(axes: Any, names: list[str], values: Any, colour: Any = FORWARD) -> None:
+    """Bars with their names, the first on top."""
+    axes.barh(np.arange(len(names)), values, color=colour)
+    axes.set_yticks(np.arange(len(names)), names, fontsize=8)
+    # One bar alone is no wall.
+    axes.set_ylim(max(len(names), 4) - 0.5, -0.5)
+
+
 def _loads(loads: results.Loads, figure: Figure) -> None:
     noise = _noise(loads)
     left, middle, right = figure.subplots(1, 3, width_ratios=(1, 1, 1.4))
@@ -68,13 +87,22 @@ def _loads(loads: results.Loads, figure: Figure) -> None:
         axes.set(title=f"{what.capitalize()} by order", xlabel="order", ylabel=f"{what} [{unit}]")
         if axes.dataLim.y1 == 0.0:
             axes.set_ylim(0.0, 1.0)
-    left.legend(frameon=False)
+    _legend_below(figure, left)
     trace = loads.total.trace
     turn = np.asarray(trace.theta) / DEGREE
-    right.plot(turn, _clean(np.hypot(trace.force_x, trace.force_y), noise["force"]), color=FORWARD, label="force [N]")
-    right.plot(turn, _clean(np.hypot(trace.couple_x, trace.couple_y), noise["couple"]), color=BACKWARD, label="couple [N m]")
+    # Newtons and newton metres have an axis each, in the colour of its line.
+    other = right.twinx()
+    shown = (
+        (right, np.hypot(trace.force_x, trace.force_y), "force", "N", FORWARD, "-"),
+        (other, np.hypot(trace.couple_x, trace.couple_y), "couple", "N m", BACKWARD, "--"),
+    )
+    for axes, values, what, unit, colour, style in shown:
+        clean = _clean(values, noise[what])
+        axes.plot(turn, clean, style, color=colour)
+        axes.set_ylim(0.0, 1.08 * float(np.max(clean, initial=0.0)) or 1.0)
+        axes.set_ylabel(f"{what} [{unit}]", color=colour)
+        axes.tick_params(axis="y", labelcolor=colour)
     right.set(title=f"{loads.engine}, {loads.speed / RPM:.0f} rpm", xlabel="crank angle [deg]")
-    right.legend(frameon=False)
 
 
 def _torque(report: results.TorqueReport, figure: Figure) -> None:
@@ -137,26 +165,40 @@ def _compare(found: results.Comparison, figure: Figure) -> None:
 
 def _scatter(found: results.ScatterStudy, figure: Figure) -> None:
     outputs = found.scatter.outputs
-    for axes, own in zip(np.atleast_1d(figure.subplots(1, min(3, len(outputs)))), outputs, strict=False):
+    # The names and units of the table, whose rows are the outputs; what no engine has says nothing.
+    table = found.table("scatter")
+    rows = [(own, str(name), str(unit)) for own, name, unit in zip(outputs, table["load"], table["unit"], strict=True)]
+    telling = [row for row in rows if row[0].most > 1e-9 * max(own.most for own in outputs)] or rows
+    for axes, (own, name, unit) in zip(np.atleast_1d(figure.subplots(1, min(3, len(telling)), sharey=True)), telling, strict=False):
         axes.plot(own.percentiles.column("value"), 100 * own.percentiles.column("share"), ".", markersize=3, color=FORWARD)
-        axes.axvline(own.nominal, color=LIMIT, linewidth=1)
-        axes.set(title=str(own.output), xlabel="value (SI)", ylabel="engines that do not exceed it [%]")
+        axes.axvline(own.nominal, color=LIMIT, linewidth=1, label="nominal")
+        axes.set(title=name, xlabel=f"value [{unit}]")
+        axes.label_outer()
+    figure.axes[0].set_ylabel("engines that do not exceed it [%]")
+    _legend_below(figure, figure.axes[0])
 
 
 def _sensitivity(found: results.Sensitivity, figure: Figure) -> None:
     axes = figure.subplots()
-    output = found.outputs[0]
-    names = [str(own.to_dict().get("quantity", place)) for place, own in enumerate(found.inputs)]
-    below = np.array([np.nan if own.below is None else own.below for own in output.effects]) - output.nominal
-    above = np.array([np.nan if own.above is None else own.above for own in output.effects]) - output.nominal
-    width = np.nan_to_num(np.maximum(abs(below), abs(above)))
-    rows = np.argsort(-width)[:12]
-    axes.barh(np.arange(len(rows)), below[rows], color=FORWARD, label="lower end")
-    axes.barh(np.arange(len(rows)), above[rows], color=BACKWARD, label="upper end")
-    axes.set_yticks(np.arange(len(rows)), [names[row] for row in rows], fontsize=8)
+    # A table for each output that an input changes, the strongest input first.
+    if not found.tables:
+        _said(axes, "No input changes an output.")
+        return
+    table = found.tables[0]
+    output = next((own for own in found.outputs if table.title.lower().startswith(own.name.lower())), found.outputs[0])
+    ends = [[_number(own) for own in table[head]][:12] for head in ("at the lower end", "at the upper end")]
+    names = [f"{name}, ± {width}" for name, width in zip(table["input"], table["plus or minus"], strict=True)][:12]
+    for values, colour, label in zip(ends, (FORWARD, BACKWARD), ("lower end", "upper end"), strict=True):
+        axes.barh(np.arange(len(names)), np.array(values) - output.nominal, color=colour, label=label)
+    axes.set_yticks(np.arange(len(names)), names, fontsize=8)
     axes.invert_yaxis()
-    axes.set(title=f"{output.name}: {output.nominal:.4g} {output.unit}", xlabel=f"change [{output.unit}]")
-    axes.legend(frameon=False)
+    axes.set(title=table.title, xlabel=f"change [{output.unit}]")
+    _legend_below(figure, axes)
+
+
+def _number(value: Any) -> float:
+    """A cell that is a number; NaN of words."""
+    return float(value) if isinstance(value, float) else np.nan
 
 
 def _simulation(found: results.SimulationResult, figure: Figure) -> None:
@@ -269,15 +311,115 @@ def _fatigue(found: results.CrankFatigue, figure: Figure) -> None:
 def _strength(found: results.CrankRule, figure: Figure) -> None:
     axes = figure.subplots()
     least: dict[str, float] = {}
+    outside: set[str] = set()
     for speed in found.speeds:
         for throw in speed.throws:
-            for web in throw.webs:
-                for what, sheet in (("pin", web.pin_fillet), ("journal", web.journal_fillet)):
-                    if sheet is not None:
-                        name = f"web {web.web}, {what}"
-                        least[name] = min(least.get(name, np.inf), sheet.safety)
-    _fillets(axes, list(least), list(least.values()), found.acceptable)
-    axes.set(title=f"Safety by the formulas of UR M53: {found.engine}", xlabel="safety Q [1]")
+            for name, sheet in _places(throw):
+                if sheet is None:
+                    outside.add(name)
+                else:
+                    least[name] = min(least.get(name, np.inf), sheet.safety)
+    if not least:
+        _said(axes, "Every place is outside the range of the formulas: there is no safety to draw. The table names what is out of range.")
+        return
+    figure.set_figheight(max(3.6, 0.6 + 0.16 * len(least)))
+    _fillets(axes, list(least), list(least.values()), None)
+    axes.axvline(found.acceptable, color=BACKWARD, linewidth=1, label=f"the rule: {found.acceptable:g}")
+    left_out = f", without {len(outside)} outside its range" if outside else ""
+    axes.set(title=f"Safety by the formulas of UR M53: {found.engine}", xlabel=f"least safety Q of every place{left_out} [1]")
+    _legend_below(figure, axes)
+
+
+def _places(throw: results.ThrowSheet) -> list[tuple[str, results.FilletSheet | None]]:
+    """The checked places of a throw as the tables name them; outside the range of the formulas finite elements count, where there are some."""
+    places: list[tuple[str, results.FilletSheet | None]] = []
+    for web in throw.webs:
+        pin, journal = (None, None) if web.by_elements is None else (web.by_elements.pin_fillet, web.by_elements.journal_fillet)
+        places.append((f"pin {throw.throw} at web {web.web}", web.pin_fillet or pin))
+        places.append((f"journal {web.journal} at web {web.web}", web.journal_fillet or journal))
+    if throw.bore is not None:
+        places.append((f"oil bore of pin {throw.throw}", throw.bore.stress))
+    return places
+
+
+def _robust(found: results.RobustAnswer, figure: Figure) -> None:
+    axes = figure.subplots()
+    values = {
+        "no weights go below": found.lower_bound,
+        "these weights": found.value,
+        "weights that are best as it is meant": found.ordinary,
+        "as it is meant, these weights": found.nominal,
+        "as it is meant, its own best": found.ordinary_nominal,
+    }
+    _bars(axes, list(values), list(values.values()), [LIMIT, FORWARD, BACKWARD, FORWARD, BACKWARD])
+    axes.set(title=f"{found.answer.engine}: {found.samples} engines within tolerances", xlabel=f"residual [{found.unit}]")
+
+
+def _inertias(found: results.Inertias, figure: Figure) -> None:
+    axes = figure.subplots()
+    known = [(own.name, own.inertia.value * own.ratio**2) for own in found.bodies if own.inertia is not None]
+    if not known:
+        _said(axes, "The engine file gives no inertia.")
+        return
+    _bars(axes, [name for name, _ in known], [value for _, value in known])
+    axes.set(title="Moments of inertia as seen at crankshaft 1", xlabel="inertia times speed ratio squared [kg m²]")
+
+
+def _designs(found: results.CounterweightDesigns, figure: Figure) -> None:
+    axes = figure.subplots()
+    known = [own for own in found.weights if own.part_mass is not None]
+    if not known:
+        _said(axes, "No counterweight has a shape within these limits.")
+        return
+    _bars(axes, [own.name for own in known], [own.part_mass for own in known])
+    axes.set(title=f"Counterweights with the best shape: {found.engine}", xlabel="mass of the part, with the disc of its web [kg]")
+
+
+def _checked(found: results.CounterweightCheck, figure: Figure) -> None:
+    axes = figure.subplots()
+    weights = found.counterweights
+    if not weights:
+        _said(axes, "No counterweight is a part.")
+        return
+    _bars(axes, [own.name for own in weights], 1e6 * np.array([own.unbalance for own in weights]))
+    wanted = [(place, 1e6 * own.wanted) for place, own in enumerate(weights) if own.wanted is not None]
+    if wanted:
+        axes.plot([own for _, own in wanted], [place for place, _ in wanted], "|", color=BACKWARD, markersize=16, label="as it should be")
+        _legend_below(figure, axes)
+    axes.set(title=f"Counterweights as parts: {found.engine}", xlabel="unbalance on the web [g mm]")
+
+
+def _arrangements(found: results.Arrangements, figure: Figure) -> None:
+    axes = figure.subplots()
+    own = found.spacings[0]
+    possible = [one for one in own.arrangements if one.possible and np.isfinite(one.residual)]
+    if not possible:
+        _said(axes, "No arrangement has a place and holds the limits.")
+        return
+    best = sorted(possible, key=lambda one: one.residual)[:12]
+    figure.set_figheight(max(3.6, 1.2 + 0.25 * len(best)))
+    _bars(axes, [one.label for one in best], [one.residual for one in best], [FORWARD if one.on_front else LIMIT for one in best])
+    for colour, label in ((FORWARD, "Pareto-optimal"), (LIMIT, "another one is better in all")):
+        axes.plot([], [], "s", color=colour, label=label)
+    if found.limit is not None:
+        axes.axvline(found.limit, color=BACKWARD, linewidth=1, label="good enough")
+    _legend_below(figure, axes)
+    unit = "N m" if found.criterion == "couple" else "N"
+    axes.set(title=f"Arrangements: {found.engine} (with nothing added {own.baseline:.5g} {unit})", xlabel=f"peak of the {found.criterion} that is left [{unit}]")
+
+
+def _factors(found: results.FactorAnswer, figure: Figure) -> None:
+    axes = figure.subplots()
+    throws = [own for own in found.throws if own.reciprocating_share is not None]
+    if not throws:
+        _said(axes, "Nothing reciprocates.")
+        return
+    _bars(axes, [f"throw {own.throw}" for own in throws], [100.0 * (own.reciprocating_share or 0.0) for own in throws])
+    least = [(place, 100.0 * own.least_peak_share) for place, own in enumerate(throws) if own.least_peak_share is not None]
+    if least:
+        axes.plot([own for _, own in least], [place for place, _ in least], "|", color=BACKWARD, markersize=16, label="smallest peak of the first-order force")
+        _legend_below(figure, axes)
+    axes.set(title=f"Balance factors: {found.engine}", xlabel="share of the reciprocating mass that is balanced [%]")
 
 
 def _crosscheck(found: results.CrossCheck, figure: Figure) -> None:
@@ -316,4 +458,10 @@ _DRAWN: dict[type[Result], Callable[[Any, Figure], None]] = {
     results.CrankModes: _modes,
     results.CrankFatigue: _fatigue,
     results.CrankRule: _strength,
+    results.RobustAnswer: _robust,
+    results.Inertias: _inertias,
+    results.CounterweightDesigns: _designs,
+    results.CounterweightCheck: _checked,
+    results.Arrangements: _arrangements,
+    results.FactorAnswer: _factors,
 }

@@ -86,7 +86,7 @@ class Table:
         """
         import pyarrow
 
-        return pyarrow.table(self._headed())
+        return pyarrow.table({name: _of_one_kind(values) for name, values in self._headed().items()})
 
     def __arrow_c_stream__(self, requested_schema: object | None = None) -> object:
         return self.to_arrow().__arrow_c_stream__(requested_schema)
@@ -99,6 +99,20 @@ class Table:
 
     def __repr__(self) -> str:
         return f"Table({self.name!r}, {len(self)} rows: {', '.join(self._headed())})"
+
+
+def _of_one_kind(values: Any) -> Any:
+    """A column for Arrow, which has one type a column: numbers among words become words."""
+    if not isinstance(values, list):
+        return values
+    has_words = any(isinstance(own, str) for own in values)
+    if has_words and not all(own is None or isinstance(own, str) for own in values):
+        return [None if own is None else own if isinstance(own, str) else _text(own) for own in values]
+    return values
+
+
+def _text(value: Any) -> str:
+    return f"{value:g}" if isinstance(value, float) and float(f"{value:g}") == value else str(value)
 
 
 def _cell(value: Any) -> str:

@@ -17,7 +17,7 @@ use lanchester::report::{
     Figure, Table, arrangement_figure, arrangements_text, balance_text, cancellation_proof_table,
     cancelled_orders_table, consequence_figures, consequences_table, durability_table, durability_text,
     durable_weights_table, effects_table, found_inertias_table, found_shafts_table, found_weights_table,
-    front_table, limits_table, optimum_figures, robust_text, stages_table, web_bounds_table,
+    front_table, limits_table, optimum_figures, robust_tables, robust_text, stages_table, web_bounds_table,
 };
 use lanchester::task::{BalanceTask, CrankWeightPlaces, TaskOptions, default_task, option};
 use lanchester::{
@@ -246,6 +246,7 @@ fn read_robust(options: &Options<'_>) -> Result<Run, Failure> {
             own,
             Shown {
                 text: |found, engine| robust_text(engine, found),
+                tables: |found, engine| robust_tables(engine, found),
                 adopted: Some(|found, own, _| own.fitted(&fitted(own.engine(), &found.answer))),
                 ..Shown::default()
             },

@@ -12,7 +12,8 @@ use lanchester::file::{StartOfRun, event_from_words, start_from_words};
 use lanchester::model::NamedPoint;
 use lanchester::multibody::{LoadLaw, ReactsOn};
 use lanchester::report::{
-    Condition, CrossCheck, SimulationResult, crosscheck_text, simulation_figures, simulation_text,
+    Condition, CrossCheck, SimulationResult, Table, causality_tables, crosscheck_text, simulation_figures,
+    simulation_tables, simulation_text,
 };
 use lanchester::{
     BondGraphRequest, CrossCheckRequest, RunLength, SimulateRequest, crosscheck, engine_bond_graph,
@@ -124,6 +125,7 @@ fn read_simulate(options: &Options<'_>) -> Result<Run, Failure> {
             own,
             Shown {
                 text: |Simulated(found), _| simulation_text(found),
+                tables: |Simulated(found), _| simulation_tables(found),
                 figures: |Simulated(found), _| simulation_figures(found, None),
                 ..Shown::default()
             },
@@ -197,6 +199,10 @@ struct BondGraph {
     modelica: String,
     /// The drawing of the graph with its causality, as SVG.
     drawing: String,
+    /// States, and stores that follow others.
+    #[serde(skip)]
+    #[schemars(skip)]
+    tables: Vec<Table>,
 }
 
 fn read_bondgraph(options: &Options<'_>) -> Result<Run, Failure> {
@@ -221,11 +227,13 @@ fn read_bondgraph(options: &Options<'_>) -> Result<Run, Failure> {
             |diagnostics| Failure::Mistakes { name: "bond graph".into(), text: file.clone(), diagnostics };
         let graph = Graph::new(&found.description).map_err(mistakes)?;
         let solved = equations(&graph).map_err(mistakes)?;
+        let shown = solved.shown(Notation::Text);
         let answer = BondGraph {
+            tables: causality_tables(&shown, &solved.causality),
             engine: own.engine().name.clone(),
             notes: found.notes,
             causality: causality_text(&graph, &solved.causality),
-            equations: equations_text(&solved.shown(Notation::Text)),
+            equations: equations_text(&shown),
             latex: equations_latex(&solved.shown(Notation::Latex)),
             modelica: modelica(&solved),
             drawing: drawing(&graph, &solved.causality),
@@ -236,6 +244,7 @@ fn read_bondgraph(options: &Options<'_>) -> Result<Run, Failure> {
             own,
             Shown {
                 text: |found, _| format!("{}\n{}", found.causality, found.equations),
+                tables: |found, _| found.tables.clone(),
                 drawing: |found| {
                     let title = format!("Bond graph of {}", found.engine);
                     Some(["bond-graph".to_owned(), title, found.drawing.clone()])

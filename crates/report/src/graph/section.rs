@@ -53,7 +53,7 @@ pub fn bond_graph_section(result: &BondGraphResult) -> Section {
         .paragraphs(result.notes.iter().cloned())
         .words(causality_words(result))
         .rows(picture(&result.drawing))
-        .tables(causality_tables(result))
+        .tables(causality_tables(&result.equations, &result.causality))
         .tables(equation_tables(result))
         .paragraphs(not_written_out(&result.equations))
         .words(run_words(&result.run))
@@ -99,8 +99,8 @@ fn words_table(id: &'static str, title: &str, note: &str, heads: &[&str], rows: 
 }
 
 /// States, and stores that follow, those of tiles that are alike once.
-fn causality_tables(result: &BondGraphResult) -> Vec<Table> {
-    let states = result.equations.states.iter();
+pub fn causality_tables(equations: &ShownEquations, causality: &Causality) -> Vec<Table> {
+    let states = equations.states.iter();
     let rows = states.map(|state| {
         vec![Cell::text(&state.symbol), Cell::text(number::short(state.start, 6)), Cell::text(&state.unit)]
     });
@@ -109,7 +109,7 @@ fn causality_tables(result: &BondGraphResult) -> Vec<Table> {
         vec![words_table("bond-graph-states", "States", note, &["state", "start", "unit"], rows.collect())];
     // Stores of like parts, with the first of their paths.
     let mut alike: Vec<(String, Vec<&str>, String)> = Vec::new();
-    for follower in &result.causality.followers {
+    for follower in &causality.followers {
         let key = stem(&follower.element);
         match alike.iter_mut().find(|(known, ..)| *known == key) {
             Some((_, names, _)) => names.push(&follower.element),

@@ -2,6 +2,7 @@
 
 use crate::kit::number::short;
 use crate::kit::paragraph::push_wrapped;
+use crate::kit::table::Table;
 use crate::optimum::tables::{effects_table, found_inertias_table, found_shafts_table, found_weights_table};
 use lanchester_balance::{RobustAnswer, RobustMeasure};
 use lanchester_model::Engine;
@@ -76,12 +77,16 @@ pub fn robust_text(engine: &Engine, found: &RobustAnswer) -> String {
         );
         push_wrapped(&mut out, "", &words);
     }
-    let answer = &found.answer;
-    let tables =
-        [Some(found_weights_table(answer)), found_shafts_table(answer), found_inertias_table(answer)];
-    for table in tables.into_iter().flatten().chain([effects_table(engine, answer)]) {
+    for table in robust_tables(engine, found) {
         out.push('\n');
         out.push_str(&table.text());
     }
     out
+}
+
+/// Weights, shafts and inertias that were found, and what they do to the engine as it is meant.
+pub fn robust_tables(engine: &Engine, found: &RobustAnswer) -> Vec<Table> {
+    let answer = &found.answer;
+    let found = [Some(found_weights_table(answer)), found_shafts_table(answer), found_inertias_table(answer)];
+    found.into_iter().flatten().chain([effects_table(engine, answer)]).collect()
 }

@@ -210,7 +210,7 @@ pub fn simulation_text(result: &SimulationResult) -> String {
 }
 
 /// Speed, block, mounts, mains, energy, events.
-pub(crate) fn simulation_tables(result: &SimulationResult) -> Vec<Table> {
+pub fn simulation_tables(result: &SimulationResult) -> Vec<Table> {
     let mut tables = vec![speed_table(result)];
     tables.extend(extremes_table(result));
     tables.extend(block_tables(result));
