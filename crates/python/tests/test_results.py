@@ -201,7 +201,8 @@ def test_every_plot_is_drawn(all_results: dict[str, Result], tmp_path: Path) -> 
             # A notebook that has not imported pyplot shows it too.
             shown: Any = figure
             assert shown._repr_png_().startswith(b"\x89PNG"), name
-            assert figure.axes and any(axes.has_data() for axes in figure.axes), name
+            # Of a crankshaft outside the range of the formulas there are words alone.
+            assert figure.axes and any(axes.has_data() or axes.texts for axes in figure.axes), name
             drawn += 1
         else:
             with pytest.raises(RequestError, match="no plot"):
