@@ -1,6 +1,7 @@
 //! A finite element mesh as plain data, and its quality.
 
 mod blocks;
+mod carried;
 mod data;
 mod jacobian;
 mod places;
