@@ -57,7 +57,7 @@ test("the dial of a weight is mirrored, and its slider says the same", async ({ 
   expect(await middle(weight)).toBeGreaterThan(await middle(rim));
   await expect(card.getByRole("slider", { name: "Direction" })).toHaveAttribute(
     "aria-valuetext",
-    "60 degrees",
+    "60 degrees from x at crank angle 0",
   );
   await page.getByRole("tab", { name: "Engine" }).click();
   await reverse(page);
@@ -65,7 +65,7 @@ test("the dial of a weight is mirrored, and its slider says the same", async ({ 
   expect(await middle(weight)).toBeLessThan(await middle(rim));
   await expect(card.getByRole("slider", { name: "Direction" })).toHaveAttribute(
     "aria-valuetext",
-    "60 degrees",
+    "60 degrees from x at crank angle 0",
   );
   // The slider turns it on in the sense of the crank: to the left now.
   const before = await middle(weight);
