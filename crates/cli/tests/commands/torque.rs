@@ -387,7 +387,7 @@ fn the_report_of_measured_pressures_has_the_power_over_their_speeds() {
     );
     // Without one of the files the rest of the report stands, and says what is missing.
     std::fs::remove_file(folder.join("pressure-2000.csv")).expect("it is there");
-    let run = crate::program::lanchester(&folder, &["report", "four.toml"]);
+    let run = lanchester(&folder, &["report", "four.toml"]);
     let said = String::from_utf8(run.stderr).expect("it is text");
     assert!(
         run.status.success()
