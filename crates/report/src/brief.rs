@@ -7,16 +7,20 @@ use crate::kit::table::{Cell, Table};
 use crate::loads::peaks_table;
 use crate::mounts::{mount_modes_table, mount_speeds_table};
 use crate::optimum::{found_weights_table, headline, moved_words};
-use crate::simulated::{SimulationResult, periodic_words, simulation_tables, simulation_words};
+use crate::simulated::{
+    CrossCheck, CrossVerdict, SimulationResult, periodic_words, simulation_tables, simulation_words,
+};
 use crate::strength::CrankRule;
 use crate::stress::{CrankCycle, CrankFatigue, CrankModes, ReducedCrank, StaticStress};
-use crate::study::{equal_words, ranking_words};
+use crate::study::{equal_words, ranking_words, scatter_table, sensitivity_tables};
 use crate::torque::{flywheel_table, torque_extremes_table, torque_table};
 use crate::torsion::TorsionResult;
 use lanchester_balance::{Answer, Durable};
 use lanchester_mechanism::{BearingLoads, Brake, FlywheelNeed, Loads, MountStudy, Torque};
 use lanchester_model::Engine;
 use lanchester_study::compare::Comparison;
+use lanchester_study::scatter::ScatterStudy;
+use lanchester_study::sensitivity::Sensitivity;
 
 /// Engine and speed [rad/s].
 fn head(engine: &str, speed: f64) -> String {
@@ -149,6 +153,62 @@ pub fn mounts_brief(study: &MountStudy) -> String {
     let frequencies: Vec<String> = (0..modes.rows.len()).map(|row| quantity(&modes, row, 1)).collect();
     lines.push(("rigid-body modes".to_owned(), frequencies.join(", ")));
     format!("{} on its mounts, shaken by {}\n", study.engine, study.excitation) + &aligned(&lines)
+}
+
+/// Each output with the inputs that change it most.
+pub fn sensitivity_brief(found: &Sensitivity) -> String {
+    let lines: Vec<(String, String)> = (sensitivity_tables(found).iter())
+        .map(|table| {
+            let last = table.columns.len().saturating_sub(1);
+            let most = (0..table.rows.len().min(3))
+                .map(|row| format!("{} {}", quantity(table, row, 0), quantity(table, row, last)));
+            (table.title.clone(), most.collect::<Vec<_>>().join(", "))
+        })
+        .collect();
+    found.engine.clone() + "\n" + &aligned(&lines)
+}
+
+/// Each load of the production: the nominal engine, and what 99.73 % of the engines do not exceed.
+pub fn scatter_brief(study: &ScatterStudy) -> String {
+    let table = scatter_table(study);
+    let place = |header: &str| table.columns.iter().position(|column| column.header == header);
+    let lines: Vec<(String, String)> = (0..table.rows.len())
+        .map(|row| {
+            let cell =
+                |header: &str| place(header).map_or_else(String::new, |column| quantity(&table, row, column));
+            let unit = cell("unit");
+            let words =
+                format!("nominal {} {unit}, 99.73 % up to {} {unit}", cell("nominal"), cell("99.73 %"));
+            (quantity(&table, row, 0), words)
+        })
+        .collect();
+    study.engine.clone() + "\n" + &aligned(&lines)
+}
+
+/// Each condition with how many numbers agree.
+pub fn crosscheck_brief(check: &CrossCheck) -> String {
+    let lines: Vec<(String, String)> = (check.conditions.iter())
+        .map(|own| {
+            let count = |verdict: CrossVerdict| own.rows.iter().filter(|row| row.verdict == verdict).count();
+            let of = |verdict: CrossVerdict, words: &str| match count(verdict) {
+                0 => None,
+                count => Some(format!("{count} {words}")),
+            };
+            let words = match &own.not_applicable {
+                Some(reason) => format!("not applicable, {reason}"),
+                None => {
+                    let all = [
+                        of(CrossVerdict::Agrees, "agree"),
+                        of(CrossVerdict::DiffersAsItMust, "differ as they must"),
+                        of(CrossVerdict::Disagrees, "disagree"),
+                    ];
+                    all.into_iter().flatten().collect::<Vec<_>>().join(", ")
+                }
+            };
+            (format!("{}: {}", own.condition.letter(), own.condition.name()), words)
+        })
+        .collect();
+    head(&check.engine, check.speed) + "\n" + &aligned(&lines)
 }
 
 /// Who is best in what.

@@ -233,6 +233,8 @@ fn engine_text(run: &Simulation) -> String {
     };
     let four = |value: f64| significant(value, 4);
     let rpm = 30.0 / std::f64::consts::PI;
+    // A crank that stands keeps what rounding leaves of its speed.
+    let tenths = |value: f64| format!("{:.1}", (10.0 * value).round() / 10.0 + 0.0);
     let range = |values: &[f64]| {
         let ends = (f64::INFINITY, f64::NEG_INFINITY);
         values.iter().fold(ends, |(least, most), value| (least.min(*value), most.max(*value)))
@@ -240,11 +242,11 @@ fn engine_text(run: &Simulation) -> String {
     let (least, most) = range(speed);
     let (first, last) = (speed.first().unwrap_or(&f64::NAN), speed.last().unwrap_or(&f64::NAN));
     let mut out = format!(
-        "speed of crankshaft 1: {:.1} rpm at the start, {:.1} rpm at the end, {:.1} to {:.1} rpm on the way\n",
-        rpm * first,
-        rpm * last,
-        rpm * least,
-        rpm * most
+        "speed of crankshaft 1: {} rpm at the start, {} rpm at the end, {} to {} rpm on the way\n",
+        tenths(rpm * first),
+        tenths(rpm * last),
+        tenths(rpm * least),
+        tenths(rpm * most)
     );
     for (name, what) in [("load", "load"), ("drive", "drive that keeps the speed")] {
         let Some(torque) = run.values(&format!("{name}.effort")) else { continue };

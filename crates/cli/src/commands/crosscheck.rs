@@ -6,7 +6,7 @@ use crate::files::print;
 use crate::format::Format;
 use crate::options::simulation::{ConditionOption, CrosscheckArguments};
 use crate::trace_files::trace_files;
-use lanchester::report::{Condition, crosscheck_csv, crosscheck_text};
+use lanchester::report::{Condition, crosscheck_brief, crosscheck_csv, crosscheck_text};
 use lanchester::task::option;
 use lanchester::{CrossCheckRequest, crosscheck};
 
@@ -37,6 +37,7 @@ pub fn run(arguments: &CrosscheckArguments, colour: bool) -> Result<u8, Failure>
     let traces = trace_files(&opened.file.engine, &arguments.file)?;
     let check = crosscheck(&opened.file.engine, &traces, &request).map_err(Failure::refused)?;
     let said = match arguments.format {
+        Format::Text if arguments.printed.brief => crosscheck_brief(&check),
         Format::Text => crosscheck_text(&check),
         Format::Json => json(&check)?,
         Format::Csv => crosscheck_csv(&check),

@@ -8,7 +8,7 @@ use crate::format::Format;
 use crate::options::scatter::ScatterArguments;
 use crate::run::{Head, run_alone, run_into};
 use lanchester::file::EngineFile;
-use lanchester::report::{scatter_figure, scatter_table, scatter_text};
+use lanchester::report::{scatter_brief, scatter_figure, scatter_table, scatter_text};
 use lanchester::study::scatter::{ScatterOptions, ScatterStudy, Scattering, Tally, scatter_study_of};
 use lanchester::task::option;
 use lanchester::{SampleStudy, SavedScatter};
@@ -68,7 +68,11 @@ pub fn run(arguments: &ScatterArguments, colour: bool) -> Result<u8, Failure> {
     if let Some(folder) = &arguments.figures {
         write_figures(folder, &arguments.file, &[scatter_figure(&answer)])?;
     }
-    print(&arguments.printed.said(arguments.format, said(&answer, arguments.format)?))?;
+    let whole = match arguments.format {
+        Format::Text if arguments.printed.brief => scatter_brief(&answer),
+        format => said(&answer, format)?,
+    };
+    print(&arguments.printed.said(arguments.format, whole))?;
     // A part alone is not the production: its limits are judged where parts are merged.
     Ok(if arguments.run.part.is_some() { DONE } else { status(&answer) })
 }

@@ -8,7 +8,7 @@ use crate::format::Format;
 use crate::options::sensitivity::{SensitivityArguments, WeightsOption};
 use crate::trace_files::trace_files;
 use lanchester::mechanism::OuterTorque;
-use lanchester::report::{sensitivity_csv, sensitivity_text, tornado_figure};
+use lanchester::report::{sensitivity_brief, sensitivity_csv, sensitivity_text, tornado_figure};
 use lanchester::study::sensitivity::{Output, SensitivityRequest, Weights, sensitivity};
 use lanchester::task::option;
 use lanchester::{operating_point, sensitivity_amount};
@@ -47,6 +47,7 @@ pub fn run(arguments: &SensitivityArguments, colour: bool) -> Result<u8, Failure
         write_figures(folder, &arguments.file, &[tornado_figure(&found)])?;
     }
     let said = match arguments.format {
+        Format::Text if arguments.printed.brief => sensitivity_brief(&found),
         Format::Text => sensitivity_text(&found),
         Format::Json => json(&found)?,
         Format::Csv => sensitivity_csv(&found),

@@ -16,7 +16,9 @@ fn arrangements_and_optimum_stand_side_by_side() {
     assert_eq!(json.pointer("/rankings/0/places/9/engine"), Some(&Value::from(0)));
     let text = output(&folder, 0, &[&all[..], &["--figures", "figures"]].concat());
     assert!(
-        text.contains("10. 21\u{a0}977 N: above all order 1, both ways alike (no. 1, basic crank)"),
+        text.contains(
+            "10. 21\u{a0}977 N: above all order 1, the same with and against the crank (no. 1, basic crank)"
+        ),
         "{text}"
     );
     assert!(folder.join("figures/comparison.svg").exists());

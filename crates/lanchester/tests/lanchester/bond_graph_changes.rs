@@ -232,8 +232,10 @@ fn xcheck_standstill() {
             panic!("{:?}", theirs.outcome)
         };
         assert!(ours.complete, "{}", ours.ended);
+        // Behind the last of the samples of both, where it stands.
+        let later = case.graph(1.01 * theirs.end[0], &[1.005 * theirs.end[0]]);
         let last =
-            |name: &str| ours.values(name).and_then(|values| values.last().copied()).unwrap_or(f64::NAN);
+            |name: &str| later.values(name).and_then(|values| values.last().copied()).unwrap_or(f64::NAN);
         assert!((last("theta") - theta).abs() < AGREEMENT * theta, "{} {theta}", last("theta"));
         // What holds it there is less than what both have to give.
         let own = ["friction.effort", "load.effort"]
@@ -261,7 +263,7 @@ fn xcheck_standstill_in_a_block_that_moves() {
     let (theirs, ours) = case.check(&[ANGLE, SPEED]);
     assert!(matches!(theirs.outcome, RunOutcome::AtRest { .. }), "{:?}", theirs.outcome);
     assert!(
-        ours.complete && ours.events.iter().any(|event| event.expression == "crank.flow sticks"),
+        ours.complete && ours.events.iter().any(|event| event.expression.ends_with(" sticks")),
         "{}",
         ours.ended
     );

@@ -125,7 +125,7 @@ fn the_file_says_it_and_what_is_missing_is_told() {
     );
     let options = TaskOptions { prefix: "--", most: Some("what fit".into()), ..TaskOptions::default() };
     let refused = options.change(&before.engine, task).unwrap_err();
-    assert!(refused.hint.contains("did you mean --max-unbalance 'what fits'?"), "{refused:?}");
+    assert!(refused.hint.contains("did you mean --most 'what fits'?"), "{refused:?}");
 }
 
 /// The optimum on the webs fits; the same weights a tenth heavier, as a method without bounds may choose them, do not, and are named.

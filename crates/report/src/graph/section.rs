@@ -19,7 +19,7 @@ pub const BOND_GRAPH_VERSION: u32 = 1;
 
 /// Longest equation of a table, in letters.
 const LONGEST: usize = 240;
-/// State equations with more common parts than these are not written out.
+/// More common parts of the state equations than these are not written out.
 const MOST_PARTS: usize = 40;
 /// Curves of power in one plot.
 const CURVES: usize = 5;
@@ -130,17 +130,16 @@ pub fn causality_tables(equations: &ShownEquations, causality: &Causality) -> Ve
     tables
 }
 
-/// Whether the state equations are too long for a report.
+/// Whether the common parts of the state equations are too many for a report.
 fn is_long(shown: &ShownEquations) -> bool {
     shown.common.len() > MOST_PARTS
 }
 
-/// That the state equations are left out, and how long they are.
+/// That common parts are left out, and how many.
 fn not_written_out(shown: &ShownEquations) -> Option<String> {
     is_long(shown).then(|| {
         format!(
-            "The {} state equations have {} parts in common and are not printed here: the equations of the graph, computed by themselves, have them all.",
-            shown.rates.len(),
+            "The {} common parts of the state equations are not printed here: the equations of the graph, computed by themselves, have them all.",
             shown.common.len()
         )
     })
@@ -159,7 +158,8 @@ fn equation_tables(result: &BondGraphResult) -> Vec<Table> {
         let both = texts.iter().cloned().zip(formulas.iter().cloned());
         both.filter(|(text, _)| is_kept(text)).collect()
     };
-    let all = |_: &Equation| !is_long(shown);
+    let all = |_: &Equation| true;
+    let is_printed = |_: &Equation| !is_long(shown);
     let is_first = |equation: &Equation| !ends_with_other_number(&equation.of);
     [
         ("bond-graph-laws", "Laws of the elements", pairs(&shown.elements, &formulas.elements, &is_drawn)),
@@ -172,7 +172,7 @@ fn equation_tables(result: &BondGraphResult) -> Vec<Table> {
         (
             "bond-graph-common",
             "Common parts of the state equations",
-            pairs(&shown.common, &formulas.common, &all),
+            pairs(&shown.common, &formulas.common, &is_printed),
         ),
         (
             "bond-graph-unknowns",

@@ -477,7 +477,10 @@ mod tests {
         let words = ranking_words(&comparison());
         assert_eq!(words[0].title, "Force");
         assert!(words[0].lines[0].starts_with("1. none (no. 2, an engine"), "{words:?}");
-        assert_eq!(words[0].lines[2], "3. 5000 N: mostly order 2, both ways alike (no. 1, four)");
+        assert_eq!(
+            words[0].lines[2],
+            "3. 5000 N: mostly order 2, the same with and against the crank (no. 1, four)"
+        );
         // Nobody has a couple, all have one roll moment, and one does not say how it fires.
         assert_eq!(words.len(), 2, "{words:?}");
     }

@@ -11,7 +11,7 @@ pub fn scatter_figure(study: &ScatterStudy) -> Figure {
         study.scatter.outputs.iter().zip(&study.worst_cases).map(|(own, worst)| panel(study, own, worst));
     Figure {
         id: "scatter".to_owned(),
-        title: "Residual loads of the production".to_owned(),
+        title: "Production scatter of the loads".to_owned(),
         caption: format!(
             "Share of {} engines whose load does not exceed a value, at {} rpm.",
             number::short(study.scatter.samples as f64, 4),

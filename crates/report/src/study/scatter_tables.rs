@@ -52,7 +52,7 @@ pub fn scatter_table(study: &ScatterStudy) -> Table {
         number::terminal(number::rpm(study.speed), 0),
         study.scatter.seed
     );
-    Table::of_columns("scatter", "Residual loads of the production", note, columns)
+    Table::of_columns("scatter", "Production scatter of the loads", note, columns)
 }
 
 /// The limits; `None` without any.

@@ -2452,14 +2452,6 @@ export type GraphAnswer = {
   transfer: GraphTransfer[];
 };
 
-/** A transfer function. */
-export type GraphTransfer = {
-  input: string;
-  /** A fraction in powers of s, as MathML. */
-  mathml: string;
-  output: string;
-};
-
 /** A bond in its place, with what it carries. */
 export type GraphBond = {
   /** End of the barb at its head [px]. */
@@ -2546,6 +2538,14 @@ export type GraphTile = {
   corner: [number, number];
   size: [number, number];
   title: string;
+};
+
+/** A transfer function. */
+export type GraphTransfer = {
+  input: string;
+  /** A fraction in powers of s, as MathML. */
+  mathml: string;
+  output: string;
 };
 
 /** What a similar engine keeps of the original. */
