@@ -15,11 +15,14 @@ use crate::expression::{Pool, Var};
 use crate::run::held::Switches;
 use crate::run::tape::Tape;
 
+/// The slope of a function: by which state (`None`: the time), and its place on the tape.
+pub(crate) type Slope = (Option<usize>, usize);
+
 /// The functions that can stick, with their slopes.
 #[derive(Debug, Clone)]
 pub(crate) struct Sticking {
-    /// Of each: its condition, and of its slopes the states (`None`: the time) with their places on the tape.
-    candidates: Vec<(usize, Vec<(Option<usize>, usize)>)>,
+    /// Of each: its condition and its slopes.
+    candidates: Vec<(usize, Vec<Slope>)>,
     pub(crate) slopes: Tape,
     /// Values of the slopes at the last place.
     pub(crate) values: Vec<f64>,
@@ -47,7 +50,7 @@ impl Sticking {
     }
 
     /// Slopes of the function of a condition; `None` where it cannot stick.
-    pub(crate) fn slopes_of(&self, condition: usize) -> Option<&[(Option<usize>, usize)]> {
+    pub(crate) fn slopes_of(&self, condition: usize) -> Option<&[Slope]> {
         let found = self.candidates.iter().find(|(own, _)| *own == condition);
         found.map(|(_, slopes)| slopes.as_slice())
     }
