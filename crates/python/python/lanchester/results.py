@@ -48,6 +48,7 @@ __all__ = [
     "CancelledOrder",
     "Capability",
     "Carried",
+    "CarriedWeight",
     "CatalogueHole",
     "Chain",
     "ChamberMotion",
@@ -200,6 +201,7 @@ __all__ = [
     "Method",
     "Mode",
     "Mode2",
+    "ModeCount",
     "ModeSolution",
     "MotionTrace",
     "MountAtRest",
@@ -1828,6 +1830,33 @@ class Carried(Record):
         return self._array("slope")  # type: ignore[no-any-return]
 
 
+class CarriedWeight(Record):
+    """A weight without elements of its own."""
+
+    __slots__ = ()
+    _FIELDS = ("name", "place", "unbalance", "z",)
+
+    @property
+    def name(self) -> str:
+        """Its name: "web 1"."""
+        return self._get("name")  # type: ignore[no-any-return]
+
+    @property
+    def place(self) -> str:
+        """What carries it: "web 1", "webs 1 and 2", "end face FLYWHEEL"."""
+        return self._get("place")  # type: ignore[no-any-return]
+
+    @property
+    def unbalance(self) -> FloatArray:
+        """Mass times place [kg m], in the frame of the mesh."""
+        return self._array("unbalance")  # type: ignore[no-any-return]
+
+    @property
+    def z(self) -> float:
+        """Its plane [m]."""
+        return self._get("z")  # type: ignore[no-any-return]
+
+
 class CatalogueHole(Record):
     """A hole of a catalogue."""
 
@@ -2976,7 +3005,7 @@ class CrankMesh(Record):
     """
 
     __slots__ = ()
-    _FIELDS = ("body_mass", "corners", "left_out", "quality", "webs",)
+    _FIELDS = ("body_mass", "corners", "left_out", "quality", "webs", "weights",)
 
     @property
     def body_mass(self) -> float:
@@ -3002,6 +3031,11 @@ class CrankMesh(Record):
     def webs(self) -> Records[WebPlace]:
         """Its webs, along z."""
         return self._all("webs", WebPlace)
+
+    @property
+    def weights(self) -> Records[CarriedWeight]:
+        """Counterweights without a shape: their centrifugal forces load the mesh, their masses are not in it."""
+        return self._all("weights", CarriedWeight)
 
 
 class CrankMeshOptions(Record):
@@ -7298,16 +7332,48 @@ class Mode2(Record):
         return self._array("shape")  # type: ignore[no-any-return]
 
 
+class ModeCount(Record):
+    """How many modes a body has, by the signs of a factor of `K - s M` (Sylvester's law of inertia)."""
+
+    __slots__ = ()
+    _FIELDS = ("below", "counted", "found",)
+
+    @property
+    def below(self) -> float:
+        """Below this frequency [Hz]: in a gap between modes, above the highest one where there is one."""
+        return self._get("below")  # type: ignore[no-any-return]
+
+    @property
+    def counted(self) -> int | None:
+        """Modes there, rigid motions included; `None` where rounding leaves the count in doubt."""
+        return self._get("counted")  # type: ignore[no-any-return]
+
+    @property
+    def found(self) -> int:
+        """Modes found there, rigid motions included."""
+        return self._get("found")  # type: ignore[no-any-return]
+
+
 class ModeSolution(Record):
     """Modes of a mesh."""
 
     __slots__ = ()
-    _FIELDS = ("basis", "factor_entries", "factor_operations", "modes", "shift", "unknowns",)
+    _FIELDS = ("basis", "coarse_mass", "count", "factor_entries", "factor_operations", "modes", "shift", "unknowns",)
 
     @property
     def basis(self) -> int:
         """Vectors of the Lanczos basis."""
         return self._get("basis")  # type: ignore[no-any-return]
+
+    @property
+    def coarse_mass(self) -> bool:
+        """Whether the mass is that of CalculiX, integrated with the rule of the stiffness."""
+        return self._get("coarse_mass")  # type: ignore[no-any-return]
+
+    @property
+    def count(self) -> ModeCount | None:
+        """With modes counted: how many there are."""
+        return self._of("count", ModeCount)  # type: ignore[no-any-return]
 
     @property
     def factor_entries(self) -> int:
