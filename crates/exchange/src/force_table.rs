@@ -44,7 +44,7 @@ pub struct ForceTable {
 }
 
 /// A text in lines of plain characters, broken between words where it is longer.
-pub(crate) fn wrapped(text: &str, longest: usize) -> Vec<String> {
+pub(crate) fn wrap(text: &str, longest: usize) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for word in plain(text, usize::MAX).split_whitespace() {
         let mut rest = word;
@@ -67,12 +67,12 @@ pub(crate) fn wrapped(text: &str, longest: usize) -> Vec<String> {
 }
 
 /// A text in so many lines of plain characters at most; what is left out of the last one is said by dots.
-pub(crate) fn fitted<const LINES: usize>(text: &str, longest: usize) -> [String; LINES] {
-    let all = wrapped(text, longest);
+pub(crate) fn fit<const LINES: usize>(text: &str, longest: usize) -> [String; LINES] {
+    let all = wrap(text, longest);
     let mut lines = all.iter().cloned();
     let mut found: [String; LINES] = std::array::from_fn(|_| lines.next().unwrap_or_default());
     if let Some(last) = found.last_mut().filter(|_| all.len() > LINES) {
-        let kept = wrapped(last, longest - 4);
+        let kept = wrap(last, longest - 4);
         *last = format!("{} ...", kept.first().map_or("", String::as_str));
     }
     found
@@ -91,12 +91,12 @@ mod tests {
     #[test]
     fn lines_break_between_words_and_lose_none() {
         let text = "forces of the block, from inertia loads and gas (ideal cycle: four-stroke, \u{b0}C)";
-        let lines = wrapped(text, 20);
+        let lines = wrap(text, 20);
         assert!(lines.iter().all(|line| line.len() <= 20), "{lines:?}");
         assert_eq!(lines.join(" "), text.replace('\u{b0}', "?"));
-        assert_eq!(wrapped(&"a".repeat(45), 20).concat(), "a".repeat(45));
-        assert_eq!(fitted::<2>("one two", 20), ["one two", ""]);
-        let [first, last] = fitted::<2>(text, 20);
+        assert_eq!(wrap(&"a".repeat(45), 20).concat(), "a".repeat(45));
+        assert_eq!(fit::<2>("one two", 20), ["one two", ""]);
+        let [first, last] = fit::<2>(text, 20);
         assert_eq!([first.as_str(), last.as_str()], ["forces of the block,", "from inertia ..."]);
     }
 }

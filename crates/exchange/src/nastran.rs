@@ -6,7 +6,7 @@
 //! ```
 //! (MSC Nastran Quick Reference Guide, entries RLOAD1, TABLED1, DAREA, DLOAD, FREQ.) Large fields hold all digits that sixteen columns have.
 
-use crate::force_table::{ForceTable, wrapped};
+use crate::force_table::{ForceTable, wrap};
 use std::f64::consts::TAU;
 use std::fmt::Write as _;
 
@@ -32,7 +32,7 @@ impl FirstNumbers {
 pub fn nastran(table: &ForceTable, first: FirstNumbers) -> String {
     let mut out = String::new();
     let comment = |out: &mut String, text: &str| {
-        for line in text.lines().flat_map(|line| wrapped(line, 70)) {
+        for line in text.lines().flat_map(|line| wrap(line, 70)) {
             let _ = writeln!(out, "$ {line}");
         }
     };

@@ -4,7 +4,7 @@
 //! Formats after the documentation of the Structural Dynamics Research Laboratory, University of Cincinnati: records of fixed columns, forces
 //! as pairs of doubles (`E13.5, 2E20.12`: complex, double precision, uneven abscissa).
 
-use crate::force_table::{ForceTable, fitted};
+use crate::force_table::{ForceTable, fit};
 use std::f64::consts::PI;
 use std::fmt::Write as _;
 
@@ -39,9 +39,9 @@ pub fn universal(table: &ForceTable) -> String {
                 dataset(&mut out, 58, |out| {
                     let direction = ["+X", "+Y", "+Z"][axis];
                     // Five lines: what they have no room for ends in dots.
-                    let [title] = fitted::<1>(&table.title, 80);
+                    let [title] = fit::<1>(&table.title, 80);
                     let about = format!("force on {}, {direction}, order {}", point.name, own.order);
-                    let ([about], [words, more]) = (fitted::<1>(&about, 80), fitted::<2>(&point.words, 80));
+                    let ([about], [words, more]) = (fit::<1>(&about, 80), fit::<2>(&point.words, 80));
                     let sign = "f(t) = Re(F e^(i n w t)), t = 0 at crank angle 0";
                     let _ = match more.as_str() {
                         "" => writeln!(out, "{title}\n{about}\nNONE\n{words}\n{sign}"),

@@ -12,6 +12,7 @@ use crate::case::StaticCase;
 use crate::crank_case::{BearingSurfaces, PinLoad, load_pin};
 use crate::crank_mesh::{CUTS, CrankMesh};
 use crate::element::Stress;
+use crate::mesh::cross;
 use crate::sparse::{SolveEstimate, SolveReport};
 use crate::statics::{NodeStress, SolveOptions, StaticSolution, StaticSystem, node_stresses};
 use lanchester_numerics::Lu;
@@ -177,10 +178,6 @@ impl<'a> Face<'a> {
             std::array::from_fn(|k| sum[k] + if k < 3 { force[k] } else { moment[k - 3] })
         })
     }
-}
-
-fn cross([a, b, c]: [f64; 3], [x, y, z]: [f64; 3]) -> [f64; 3] {
-    [b * z - c * y, c * x - a * z, a * y - b * x]
 }
 
 /// Direction of the throw of a pin, in the frame of the crankshaft.

@@ -4,9 +4,11 @@ use crate::bearings::bearing_parts_table;
 use crate::kit::number;
 use crate::kit::paragraph::push_wrapped;
 use crate::kit::table::{Cell, Table};
+use crate::layouts::{layout_front_table, layout_search_text};
 use crate::loads::peaks_table;
 use crate::mounts::{mount_modes_table, mount_speeds_table};
 use crate::optimum::{found_weights_table, headline, moved_words};
+use crate::parts::front_designs_table;
 use crate::simulated::{
     CrossCheck, CrossVerdict, SimulationResult, periodic_words, simulation_tables, simulation_words,
 };
@@ -16,9 +18,11 @@ use crate::study::{equal_words, ranking_words, scatter_table, sensitivity_tables
 use crate::torque::{flywheel_table, torque_extremes_table, torque_table};
 use crate::torsion::TorsionResult;
 use lanchester_balance::{Answer, Durable};
+use lanchester_geometry::Front;
 use lanchester_mechanism::{BearingLoads, Brake, FlywheelNeed, Loads, MountStudy, Torque};
 use lanchester_model::Engine;
 use lanchester_study::compare::Comparison;
+use lanchester_study::explore::ExploreAnswer;
 use lanchester_study::scatter::ScatterStudy;
 use lanchester_study::sensitivity::Sensitivity;
 
@@ -209,6 +213,39 @@ pub fn crosscheck_brief(check: &CrossCheck) -> String {
         })
         .collect();
     head(&check.engine, check.speed) + "\n" + &aligned(&lines)
+}
+
+/// How many layouts are Pareto-optimal, and the least of each objective among them.
+pub fn layout_search_brief(answer: &ExploreAnswer) -> String {
+    let table = layout_front_table(answer);
+    if table.rows.is_empty() {
+        return layout_search_text(answer, 0, false);
+    }
+    let is_layout = |header: &str| header == "throws" || header == "firing order";
+    let first = table.columns.iter().rposition(|column| is_layout(&column.header)).map_or(0, |last| last + 1);
+    let lines: Vec<(String, String)> = (first..first + answer.objectives.len())
+        .map(|column| {
+            let value = |row: usize| match table.rows[row][column] {
+                Cell::Number { value, .. } => value,
+                _ => f64::INFINITY,
+            };
+            let best = (0..table.rows.len()).min_by(|a, b| value(*a).total_cmp(&value(*b))).unwrap_or(0);
+            let words = format!("{} (no. {})", quantity(&table, best, column), quantity(&table, best, 0));
+            (format!("least {}", table.columns[column].header), words)
+        })
+        .collect();
+    format!("{}\n{}\n{}", head(&answer.engine, answer.speed), table.title, aligned(&lines))
+}
+
+/// How many designs a front has, and both of its ends.
+pub fn front_brief(front: &Front) -> String {
+    let table = front_designs_table(front);
+    let end = |row: usize| format!("{}, {}", quantity(&table, row, 1), quantity(&table, row, 2));
+    let lines: Vec<(String, String)> = match table.rows.len() {
+        0 => Vec::new(),
+        count => [0, count - 1].map(|row| (format!("no. {}", quantity(&table, row, 0)), end(row))).into(),
+    };
+    format!("{}\n{}", table.title, aligned(&lines))
 }
 
 /// Who is best in what.

@@ -271,6 +271,11 @@ fn compared(asker: &Asker, question: CompareQuestion) -> Result<Comparison, Prob
             "up to {MOST_ENGINES} engines are compared at once, got {count}\nhint: leave some out"
         )));
     }
+    if question.speed.is_some() && question.piston_speed.is_some() {
+        return Err(Problem::refused(
+            "one speed or one mean piston speed is kept equal, and both are given\nhint: leave one of both out",
+        ));
+    }
     let entry = |named: &NamedEngine| {
         let mut file = asker.studio.with_torques(engine_file(&named.text)?)?;
         let traces = asker.studio.traces(&file.engine)?;
@@ -288,7 +293,7 @@ fn compared(asker: &Asker, question: CompareQuestion) -> Result<Comparison, Prob
                 }
             })
             .map_err(|faults| {
-                Problem::refused(faults.first().map_or_else(String::new, ToString::to_string))
+                Problem::refused(faults.iter().map(ToString::to_string).collect::<Vec<_>>().join("; "))
             })?;
         Ok(CompareEntry { file, traces, with: ComparedWith::OwnDevices })
     };
@@ -303,7 +308,7 @@ fn compared(asker: &Asker, question: CompareQuestion) -> Result<Comparison, Prob
             None | Some(Hold::Speed) => Held::Speed,
             Some(Hold::PistonSpeed) => Held::PistonSpeed,
         },
-        speed: question.speed.filter(|_| question.piston_speed.is_none()),
+        speed: question.speed,
         reference: question.reference,
         ..CompareRequest::default()
     };

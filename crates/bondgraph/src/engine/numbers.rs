@@ -6,6 +6,8 @@ use std::f64::consts::{PI, TAU};
 
 /// Places of a revolution over which moments are averaged: exact to rounding for a smooth periodic function.
 const PLACES: usize = 256;
+/// Moments below this share of what they are summed from are rounding.
+const ROUNDING: f64 = 1e-14;
 /// Places of a turn that are looked at for the dead centre.
 const LOOKS: usize = 500;
 
@@ -118,7 +120,7 @@ impl Numbers {
         // What rounding leaves of moments that cancel over the revolutions is none.
         let first = moments.first.iter().zip(moments.size);
         let first: Vec<f64> =
-            first.map(|(own, size)| if own.abs() < 1e-14 * size { 0.0 } else { *own }).collect();
+            first.map(|(own, size)| if own.abs() < ROUNDING * size { 0.0 } else { *own }).collect();
         let centre = [0, 1, 2].map(|k| first[k] / mass);
         let mut inertia = moments.second;
         let square: f64 = centre.iter().map(|c| c * c).sum();
@@ -132,7 +134,7 @@ impl Numbers {
         let size = inertia[0][0].abs() + inertia[1][1].abs() + inertia[2][2].abs();
         for i in 0..3 {
             for j in 0..3 {
-                if i != j && inertia[i][j].abs() < 1e-14 * size {
+                if i != j && inertia[i][j].abs() < ROUNDING * size {
                     inertia[i][j] = 0.0;
                 }
             }

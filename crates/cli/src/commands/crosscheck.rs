@@ -42,6 +42,6 @@ pub fn run(arguments: &CrosscheckArguments, colour: bool) -> Result<u8, Failure>
         Format::Json => json(&check)?,
         Format::Csv => crosscheck_csv(&check),
     };
-    print(&arguments.printed.said(arguments.format, said))?;
+    print(&said)?;
     Ok(if check.agrees() { DONE } else { NOT_AS_EXPECTED })
 }

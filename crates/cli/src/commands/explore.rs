@@ -11,7 +11,9 @@ use crate::run::{Head, run_alone, run_into};
 use crate::trace_files::trace_files;
 use lanchester::file::{expanded, read, render};
 use lanchester::model::Engine;
-use lanchester::report::{layout_front_figure, layout_front_table, layout_ranking_table, layout_search_text};
+use lanchester::report::{
+    layout_front_figure, layout_front_table, layout_ranking_table, layout_search_brief, layout_search_text,
+};
 use lanchester::study::explore::{Exploration, ExploreAnswer, Explorer};
 use lanchester::task::{DurabilityMeter, Measured};
 use lanchester::{
@@ -74,7 +76,10 @@ pub fn run(arguments: &ExploreArguments, colour: bool) -> Result<u8, Failure> {
     if let Some(number) = arguments.adopt {
         adopt(&opened, arguments, &study.explorer, &answer, number, colour)?;
     }
-    let answered = said(&answer, arguments.format, arguments.rows, arguments.ranking)?;
+    let answered = match arguments.format {
+        Format::Text if arguments.printed.brief => layout_search_brief(&answer),
+        format => said(&answer, format, arguments.rows, arguments.ranking)?,
+    };
     print(&arguments.printed.said(arguments.format, answered))?;
     Ok(if answer.front.is_empty() { NOT_AS_EXPECTED } else { DONE })
 }

@@ -52,6 +52,6 @@ pub fn run(arguments: &SensitivityArguments, colour: bool) -> Result<u8, Failure
         Format::Json => json(&found)?,
         Format::Csv => sensitivity_csv(&found),
     };
-    print(&arguments.printed.said(arguments.format, said))?;
+    print(&said)?;
     Ok(DONE)
 }

@@ -16,6 +16,14 @@ pub struct PrintedArguments {
     pub units: Units,
 }
 
+/// Whether an answer is brief, where its numbers have no other units: shares, orders, derivatives by what the file writes in its own units.
+#[derive(Debug, Clone, Copy, Args)]
+pub struct BriefArguments {
+    /// The answer alone, in a few lines; with `--format text`.
+    #[arg(long)]
+    pub brief: bool,
+}
+
 /// What stands between two tables of one CSV: behind the end of a line, an empty one.
 const BETWEEN_TABLES: &str = "\r\n\r\n";
 
@@ -28,12 +36,12 @@ pub enum Units {
     Us,
 }
 
-impl PrintedArguments {
+impl BriefArguments {
     /// Refuses a brief answer in a form that is no text.
     ///
     /// # Errors
     /// Where `--brief` is given for one.
-    pub fn check(&self, is_text: bool) -> Result<(), Failure> {
+    pub fn check(self, is_text: bool) -> Result<(), Failure> {
         match self.brief && !is_text {
             true => Err(Failure::input(
                 "--brief is a form of text, and another --format is asked for",
@@ -41,6 +49,16 @@ impl PrintedArguments {
             )),
             false => Ok(()),
         }
+    }
+}
+
+impl PrintedArguments {
+    /// Refuses a brief answer in a form that is no text.
+    ///
+    /// # Errors
+    /// Where `--brief` is given for one.
+    pub fn check(&self, is_text: bool) -> Result<(), Failure> {
+        BriefArguments { brief: self.brief }.check(is_text)
     }
 
     /// A text: the brief one where that is asked for.

@@ -1,7 +1,7 @@
 //! The command line of `lanchester sensitivity`.
 
 use crate::format::Format;
-use crate::options::printed::PrintedArguments;
+use crate::options::printed::BriefArguments;
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 
@@ -44,9 +44,9 @@ pub struct SensitivityArguments {
     /// Form of the output.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,
-    /// How text and CSV are printed.
+    /// How a text is printed.
     #[command(flatten)]
-    pub printed: PrintedArguments,
+    pub printed: BriefArguments,
 }
 
 /// What counterweights do while throws and masses vary.

@@ -1,7 +1,7 @@
 //! Options of `lanchester simulate` and `lanchester crosscheck`.
 
 use crate::format::Format;
-use crate::options::printed::PrintedArguments;
+use crate::options::printed::{BriefArguments, PrintedArguments};
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 
@@ -144,9 +144,9 @@ pub struct CrosscheckArguments {
     /// Form of the output.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,
-    /// How text and CSV are printed.
+    /// How a text is printed.
     #[command(flatten)]
-    pub printed: PrintedArguments,
+    pub printed: BriefArguments,
 }
 
 /// Conditions of `crosscheck`.

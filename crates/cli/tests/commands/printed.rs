@@ -1,6 +1,6 @@
 //! `--brief` and `--units`: every command that has them, on one engine with typical values.
 
-use crate::program::{folder, message, number, output, output_json};
+use crate::program::{example, folder, message, number, output, output_json};
 use std::fs;
 use std::path::PathBuf;
 
@@ -15,7 +15,7 @@ fn four(test: &str) -> PathBuf {
 }
 
 /// Every command that answers in sentences and tables.
-const COMMANDS: [&[&str]; 10] = [
+const COMMANDS: [&[&str]; 12] = [
     &["loads", "four.toml"],
     &["balance", "four.toml"],
     &["torque", "four.toml", "--flywheel", "0.1 kg m^2"],
@@ -26,6 +26,8 @@ const COMMANDS: [&[&str]; 10] = [
     &["torsion", "four.toml"],
     &["stress", "rule", "four.toml", "--without-torsion"],
     &["balance", "four.toml", "--method", "matrix"],
+    &["scatter", "four.toml", "--samples", "2000"],
+    &["explore", "four.toml"],
 ];
 
 /// Units that no text for an American has: between a number and the end of a word, or in brackets.
@@ -58,7 +60,9 @@ fn left_in_si(text: &str) -> Vec<String> {
 #[test]
 fn a_brief_answer_is_a_few_lines_and_no_table() {
     let folder = four("a_brief_answer_is_a_few_lines_and_no_table");
-    for command in COMMANDS {
+    // Without other units: shares, orders, derivatives by what the file has in its own.
+    let plain: [&[&str]; 2] = [&["sensitivity", "four.toml"], &["crosscheck", "four.toml"]];
+    for command in COMMANDS.into_iter().chain(plain) {
         let brief = output(&folder, 0, &[command, &["--brief"]].concat());
         let whole = output(&folder, 0, command);
         let lines = brief.lines().count();
@@ -69,6 +73,15 @@ fn a_brief_answer_is_a_few_lines_and_no_table() {
     }
     let loads = output(&folder, 0, &["loads", "four.toml", "--brief"]);
     assert!(loads.contains("largest resultant force |F|   16\u{a0}733 N\n"), "{loads}");
+    // What a search and a check are asked for, not how they went.
+    let layouts = output(&folder, 0, &["explore", "four.toml", "--brief"]);
+    assert!(layouts.contains("Pareto-optimal layouts") && layouts.contains("least couple 1"), "{layouts}");
+    let parts = example("in-line-3-counterweights");
+    let checked = output(&folder, 0, &["counterweight", "check", &parts, "--brief"]);
+    assert!(
+        checked.contains("The smallest clearance is 4.146 mm") && checked.lines().count() < 4,
+        "{checked}"
+    );
 }
 
 #[test]
@@ -96,6 +109,7 @@ fn csv_is_converted_column_by_column_and_json_stays_si() {
         &["mounts", "four.toml", "--speed", "3000 rpm"],
         &["simulate", "four.toml", "--table", "orders"],
         &["torsion", "four.toml", "--table", "torques"],
+        &["explore", "four.toml"],
     ] {
         let si = output(&folder, 0, &[command, &["--format", "csv"]].concat());
         let us = output(&folder, 0, &[command, &["--format", "csv", "--units", "us"]].concat());

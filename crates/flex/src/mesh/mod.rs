@@ -10,6 +10,7 @@ mod surface;
 mod weight;
 
 pub use blocks::mapped_block;
+pub(crate) use carried::cross;
 pub use data::{Element, Mesh, NodeSet};
 pub use places::PlaceInMesh;
 pub use quality::{LEAST_JACOBIAN, MeshQuality, quality};

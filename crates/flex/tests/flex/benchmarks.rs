@@ -1,12 +1,13 @@
 //! Published benchmarks of elastic bodies.
 
+use crate::elements::round_bar;
 use lanchester_flex::Material;
 use lanchester_flex::case::StaticCase;
 use lanchester_flex::element::ElementKind;
 use lanchester_flex::mesh::{Mesh, mapped_block, surface, surface_areas};
 use lanchester_flex::modes::{ModeKind, modes};
 use lanchester_flex::statics::{SolveOptions, node_stresses, solve_static};
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::FRAC_PI_2;
 
 const YOUNG: f64 = 210e9;
 const POISSON: f64 = 0.3;
@@ -108,16 +109,7 @@ fn lit_turning_cylinder_has_its_centrifugal_stress() {
 #[test]
 fn lit_free_round_bar_has_its_first_three_torsional_modes() {
     let (length, radius) = (0.4_f64, 0.02_f64);
-    let mesh = mapped_block(ElementKind::Hexahedron, [4, 4, 24], steel(), |x| {
-        let (p, q) = (2.0 * x[0] - 1.0, 2.0 * x[1] - 1.0);
-        // Squares to circles (Shirley and Chiu): concentric squares become concentric circles.
-        let (r, t) = if p.abs() >= q.abs() {
-            (p, if p == 0.0 { 0.0 } else { PI / 4.0 * q / p })
-        } else {
-            (q, FRAC_PI_2 - PI / 4.0 * p / q)
-        };
-        [radius * r * t.cos(), radius * r * t.sin(), length * x[2]]
-    });
+    let mesh = round_bar(length, radius, 24);
     let options = SolveOptions { count_modes: true, ..SolveOptions::default() };
     let found = modes(&mesh, &StaticCase::default(), 26, options).unwrap();
     assert_eq!(found.count.unwrap().missing(), Some(0));

@@ -261,11 +261,9 @@ fn lit_slender_beam_bends_as_timoshenko_says() {
     assert!(relieved.reactions.iter().flatten().all(|force| force.abs() < 1e-5), "the anchors carry nothing");
 }
 
-#[test]
-fn lit_free_round_bar_in_torsion() {
-    // f_n = (n/2L) sqrt(G/rho), exact for a round bar: its cross-sections do not warp.
-    let (length, radius) = (0.4_f64, 0.02_f64);
-    let mesh = mapped_block(ElementKind::Hexahedron, [4, 4, 16], steel(), |x| {
+/// A round bar along z with so many layers of elements.
+pub fn round_bar(length: f64, radius: f64, layers: usize) -> Mesh {
+    mapped_block(ElementKind::Hexahedron, [4, 4, layers], steel(), |x| {
         let (p, q) = (2.0 * x[0] - 1.0, 2.0 * x[1] - 1.0);
         // Squares to circles (Shirley and Chiu): concentric squares become concentric circles.
         let (r, t) = if p.abs() >= q.abs() {
@@ -274,7 +272,14 @@ fn lit_free_round_bar_in_torsion() {
             (q, FRAC_PI_2 - PI / 4.0 * p / q)
         };
         [radius * r * t.cos(), radius * r * t.sin(), length * x[2]]
-    });
+    })
+}
+
+#[test]
+fn lit_free_round_bar_in_torsion() {
+    // f_n = (n/2L) sqrt(G/rho), exact for a round bar: its cross-sections do not warp.
+    let (length, radius) = (0.4_f64, 0.02_f64);
+    let mesh = round_bar(length, radius, 16);
     let found = modes(&mesh, &StaticCase::default(), 16, SolveOptions::default()).unwrap();
     assert!(found.modes[..6].iter().all(|mode| mode.kind == ModeKind::Rigid && mode.frequency < 1.0));
     assert!(found.modes.iter().all(|mode| mode.residual < 1e-8));

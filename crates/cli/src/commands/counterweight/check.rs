@@ -31,6 +31,7 @@ pub fn run(arguments: &CounterweightCheckArguments, colour: bool) -> Result<u8, 
         }
     }
     let said = match arguments.format {
+        Format::Text if arguments.printed.brief => brief(&checked),
         Format::Text => text(engine, &checked),
         Format::Json => json(&checked)?,
         Format::Csv => csv(engine, &checked, arguments.table)?,
@@ -88,9 +89,24 @@ fn text(engine: &Engine, checked: &CounterweightCheck) -> String {
             out += &format!("\n{}", clearances_table(clearances, true).text());
             out += &format!("{}\n", clearance_words(clearances));
         }
-        None => out += "\nNo clearance is checked: the file has no section [clearance].\n",
+        None => out += &format!("\n{UNCHECKED}\n"),
     }
     out
+}
+
+const UNCHECKED: &str = "No clearance is checked: the file has no section [clearance].";
+
+/// What misses its unbalance, what overlaps, and the smallest clearance.
+fn brief(checked: &CounterweightCheck) -> String {
+    let mut out = format!("{}\n", checked.engine);
+    for weight in checked.counterweights.iter().filter(|weight| !weight.is_met) {
+        out += &missed(&weight.name, weight.wanted, weight.unbalance);
+    }
+    for weight in checked.shaft_weights.iter().filter(|weight| !weight.is_met) {
+        out += &missed(&weight.name, weight.wanted, weight.unbalance);
+    }
+    out += &swept_overlap_words(&checked.swept_overlaps);
+    out + &checked.clearances.as_ref().map_or_else(|| UNCHECKED.to_owned(), clearance_words) + "\n"
 }
 
 /// A weight that has not the unbalance that it should have [kg m].

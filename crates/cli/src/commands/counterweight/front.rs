@@ -10,7 +10,7 @@ use crate::options::counterweight::FrontArguments;
 use crate::put_back::PutBack;
 use crate::requests::shape::shape_request;
 use lanchester::geometry::Front;
-use lanchester::report::{front_designs_table, front_plot, objective_name};
+use lanchester::report::{front_brief, front_designs_table, front_plot, objective_name};
 use lanchester::{
     CounterweightFront, adopted, counterweight_front, design_counterweights, with_counterweights,
 };
@@ -56,6 +56,7 @@ pub fn run(arguments: &FrontArguments, colour: bool) -> Result<u8, Failure> {
     }
     let names = list(weights.iter().map(|index| engine.counterweights[*index].name.as_str()));
     let said = match arguments.format {
+        Format::Text if arguments.printed.brief => format!("{names}\n{}", front_brief(front)),
         Format::Text => text(&names, room_words(room.as_ref(), envelope.as_ref()), front),
         Format::Json => json(&found)?,
         Format::Csv => front_designs_table(front).csv(),
