@@ -34,7 +34,8 @@ use workspace::Profile;
 const HELP: &str = "\
 tasks of the workspace
 
-  cargo xtask ci                                all that CI runs; installs what it needs; --to-the-end tells all failures
+  cargo xtask ci                                all that CI runs; installs what it needs; --to-the-end tells all failures, --only TEXT runs
+                                                the steps whose names hold it
   cargo xtask quick                             before the next change: format, rules, lints, tests but the slow ones
   cargo xtask test [--release]                  all tests with the cases of CI; lists the slowest; --release in the profile of CI
   cargo xtask tidy                              rules of the house: crate arrows, pages, links, file length, ...;
@@ -79,6 +80,7 @@ fn task(arguments: &[String]) -> Result<()> {
     match arguments.first().map(String::as_str) {
         Some("ci") if rest.is_empty() => ci::run(Steps::default()),
         Some("ci") if rest == ["--to-the-end"] => ci::run(Steps::to_the_end()),
+        Some("ci") if matches!(rest, [option, _] if option == "--only") => ci::run(Steps::only(&rest[1])),
         Some("quick") if rest.is_empty() => ci::quick(),
         Some("test") if rest.is_empty() || rest == ["--release"] => {
             let profile = if rest.is_empty() { Profile::Dev } else { Profile::Release };

@@ -31,6 +31,8 @@ impl<'a> Lane<'a> {
 pub struct Steps {
     /// Whether steps go on after a failure.
     goes_on: bool,
+    /// Steps whose names do not hold this are left out.
+    only: String,
     failed: Vec<String>,
     done: Vec<Done>,
     /// From the first step to the last.
@@ -46,6 +48,11 @@ impl Steps {
         Steps { goes_on: true, ..Steps::default() }
     }
 
+    /// Only the steps whose names hold a text.
+    pub fn only(text: &str) -> Steps {
+        Steps { only: text.to_owned(), ..Steps::default() }
+    }
+
     /// Runs one step.
     pub fn run<'a>(
         &mut self,
@@ -58,7 +65,7 @@ impl Steps {
     /// Runs lanes beside one another; after a failure no further step begins, unless steps go on to the end.
     pub fn beside(&mut self, lanes: Vec<Lane>) -> Result<()> {
         let start = Instant::now();
-        let goes_on = self.goes_on;
+        let (goes_on, only) = (self.goes_on, self.only.as_str());
         let (done, told) = (Mutex::new(Vec::new()), Mutex::new(Vec::new()));
         let failed = AtomicBool::new(false);
         let results: Vec<Result<()>> = std::thread::scope(|scope| {
@@ -67,7 +74,7 @@ impl Steps {
                 .map(|lane| {
                     let (done, told, failed) = (&done, &told, &failed);
                     scope.spawn(move || -> Result<()> {
-                        for (name, work) in lane.steps {
+                        for (name, work) in lane.steps.into_iter().filter(|(name, _)| name.contains(only)) {
                             if failed.load(Ordering::Relaxed) {
                                 break;
                             }
@@ -101,9 +108,11 @@ impl Steps {
     /// Prints the list of all.
     ///
     /// # Errors
-    /// The steps that failed, where steps go on after a failure.
+    /// The steps that failed, where steps go on after a failure; no step that has the name asked for.
     pub fn finish(&self) -> Result<()> {
-        println!("\n{}", if self.failed.is_empty() { "all steps passed" } else { "steps that passed" });
+        ensure!(!self.done.is_empty() || !self.failed.is_empty(), "no step has `{}` in its name", self.only);
+        let all = if self.only.is_empty() { "all steps passed" } else { "all chosen steps passed" };
+        println!("\n{}", if self.failed.is_empty() { all } else { "steps that passed" });
         for (name, time, remark) in &self.done {
             println!("{:8.1} s  {name:50} {remark}", time.as_secs_f64());
         }
@@ -161,6 +170,20 @@ mod tests {
         let error = steps.beside(vec![lane]).expect_err("the first step fails");
         assert_eq!(format!("{error:#}"), "step failed: first: broken");
         assert!(steps.done.is_empty());
+    }
+
+    #[test]
+    fn only_the_chosen_steps_run() {
+        let lane =
+            || Lane::new().step("first", || panic!("it is not chosen")).step("second", || Ok(String::new()));
+        let mut steps = Steps::only("sec");
+        steps.beside(vec![lane()]).expect("the second passes");
+        assert_eq!(steps.done.len(), 1);
+        steps.finish().expect("one step passed");
+        let mut none = Steps::only("third");
+        none.beside(vec![lane()]).expect("nothing runs");
+        let error = none.finish().expect_err("there is no such step");
+        assert_eq!(format!("{error:#}"), "no step has `third` in its name");
     }
 
     #[test]

@@ -115,6 +115,18 @@ fn files(folder: &Path) {
     fs::write(folder.join("cases.xlsx"), book.unwrap()).unwrap();
 }
 
+/// A folder with all that another one holds.
+fn copied(from: &Path, to: &Path) {
+    fs::create_dir_all(to).unwrap();
+    for entry in fs::read_dir(from).unwrap().map(Result::unwrap) {
+        let place = to.join(entry.file_name());
+        match entry.file_type().unwrap().is_dir() {
+            true => copied(&entry.path(), &place),
+            false => drop(fs::copy(entry.path(), place).unwrap()),
+        }
+    }
+}
+
 /// Runs a line in a shell, in whose path the program is; data and messages where it fails.
 fn failure(folder: &Path, line: &str) -> Option<String> {
     let program = Path::new(env!("CARGO_BIN_EXE_lanchester"));
@@ -147,11 +159,13 @@ fn every_example_in_the_help_runs_as_it_is_printed() {
         all.iter().filter(|(_, examples)| examples.is_empty()).map(|(command, _)| command.as_str()).collect();
     assert_eq!(without, Vec::<&str>::new(), "commands without an example");
     let (mut ran, mut failures) = (0, Vec::new());
+    let named = listing.join("files");
+    fs::create_dir_all(&named).unwrap();
+    files(&named);
     for (command, examples) in &all {
         // What one example writes the next may read.
         let own = listing.join(command);
-        fs::create_dir_all(&own).unwrap();
-        files(&own);
+        copied(&named, &own);
         for example in examples.iter().filter(|example| !runs_elsewhere(example)) {
             // It never overwrites: the engine of that name is its own.
             if let Some(("lanchester new", name)) = example.split_once(" in-line-3 --output ") {

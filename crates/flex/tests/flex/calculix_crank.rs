@@ -10,8 +10,8 @@ use std::path::PathBuf;
 use std::process::{Command, Stdio};
 
 fn throw() -> CrankMesh {
-    let engine = one_throw("pin_fillet = \"3 mm\"\njournal_fillet = \"3 mm\"");
-    let options = CrankMeshOptions { size: 20e-3, fillet_elements: 2, fillets: true };
+    let engine = one_throw("pin_fillet = \"6 mm\"\njournal_fillet = \"6 mm\"");
+    let options = CrankMeshOptions { size: 24e-3, fillet_elements: 2, fillets: true };
     crank_mesh(&engine, 0, options).unwrap()
 }
 

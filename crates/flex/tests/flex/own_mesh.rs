@@ -17,8 +17,8 @@ use std::collections::BTreeMap;
 const RADIUS: f64 = 0.5 * 0.0955;
 
 fn throw() -> CrankMesh {
-    let options = CrankMeshOptions { size: 20e-3, fillet_elements: 2, fillets: true };
-    let engine = one_throw("pin_fillet = \"4 mm\"\njournal_fillet = \"4 mm\"");
+    let options = CrankMeshOptions { size: 24e-3, fillet_elements: 2, fillets: true };
+    let engine = one_throw("pin_fillet = \"6 mm\"\njournal_fillet = \"6 mm\"");
     crank_mesh(&engine, 0, options).unwrap()
 }
 

@@ -9,7 +9,7 @@ use lanchester_flex::statics::SolveOptions;
 
 /// With sharp corners, which is enough for contact.
 fn throw() -> CrankMesh {
-    let options = CrankMeshOptions { size: 16e-3, fillet_elements: 2, fillets: false };
+    let options = CrankMeshOptions { size: 24e-3, fillet_elements: 2, fillets: false };
     crank_mesh(&one_throw(""), 0, options).unwrap()
 }
 

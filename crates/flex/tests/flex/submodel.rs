@@ -83,7 +83,7 @@ fn bay_as_fine_as_the_whole_has_its_stresses() {
 /// The gain: a bay with 4 elements across its fillets in a crankshaft with 2 has the stresses of a crankshaft with 4, of which that with 2 lacks 10 %.
 #[test]
 fn finer_bay_has_the_stresses_of_a_finer_whole() {
-    let fillets = "pin_fillet = \"3 mm\"\njournal_fillet = \"3 mm\"";
+    let fillets = "pin_fillet = \"6 mm\"\njournal_fillet = \"6 mm\"";
     let engine = one_throw(fillets);
     let fine = CrankMeshOptions { fillet_elements: 4, ..COARSE };
     let loads = &loads()[..1];
