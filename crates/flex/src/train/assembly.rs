@@ -1,29 +1,18 @@
-//! Equations of motion of the train, and their stages condensed to the bearings.
+//! Equations of motion of the train: what its state is, and how much of it counts.
 //!
-//! The crankshaft is linear, so that all that is not lies in the forces of its ties, two unknowns each. With the share `g` of a step in a stage,
-//! `q = q_0 + g v`, `v = v_0 + g k`, Newton's correction of the accelerations `k` is
-//!
-//! ```text
-//! A dk = -r + SUM C^T R^T df    A = 1 + g (D + 2 W G) + g^2 (K - W^2 N)    df = J R C dk + h
-//! (1 - H J) w = C A^-1 (C^T h - r)    H = C A^-1 C^T    dk = A^-1 (-r + C^T (h + J w))                        (book, eq. 51.7)
-//! ```
-//! `A` is inverted once for each length of step. A big end with a law of its own is eliminated within its tie: `J` and `h` hold its inertia.
+//! The state: coordinates of the crankshaft and their rates, places and velocities of big ends with laws of their own, deviation of a free flywheel's angle, its rate and
+//! the load, sums of energies.
 
 use super::body::{CrankBody, Held};
+use super::flywheel::FreeFlywheel;
 use super::law::TrainLaw;
 use super::motion::Turn;
 use super::parts::{CrankTrain, TrainCylinder};
-use super::plane::{Plane, QUARTER, Square, back, length, plus, times, turn, turned_back};
-use super::ties::{Kind, Moving, Tie, linear, moving};
+use super::plane::{Plane, QUARTER, Square, length, plus, times, turn};
+use super::ties::{Kind, Moving, Tie, moving};
 use crate::sparse::dot;
 use lanchester_numerics::{Lu, StageSystem};
 
-/// Newton iterations of a stage.
-const ITERATIONS: u32 = 14;
-/// Last correction over the tolerance of a step.
-const CORRECTION: f64 = 0.01;
-/// Share of its thickness that a film keeps at least in one iteration.
-const KEPT: f64 = 0.2;
 /// Thickness over clearance that a mixed state must leave a film.
 const LEAST_FILM: f64 = 0.002;
 /// Energies that are summed: gas, drive, damping, bearings, size of the power of all.
@@ -31,13 +20,26 @@ pub(crate) const SUMS: usize = 5;
 /// Inverses that are kept.
 const KEPT_INVERSES: usize = 40;
 
-struct Inverse {
+/// Of a length of step.
+pub(super) struct Inverse {
     key: [u64; 2],
-    inverse: Vec<f64>,
+    /// A^-1.
+    pub inverse: Vec<f64>,
     /// A^-1 C^T, by ties.
-    images: Vec<Vec<f64>>,
+    pub images: Vec<Vec<f64>>,
     /// C A^-1 C^T.
-    compliance: Vec<f64>,
+    pub compliance: Vec<f64>,
+}
+
+/// A free flywheel in the state.
+pub(super) struct Wheel {
+    pub flywheel: FreeFlywheel,
+    /// Where its deviation [rad] begins, followed by its rate and the load.
+    pub at: usize,
+    /// Tolerance of the rate [rad/s].
+    pub tolerance: f64,
+    /// Whether it is let go: until then the motion is imposed.
+    turns: bool,
 }
 
 /// The equations of a train.
@@ -47,20 +49,20 @@ pub(crate) struct Assembly<'a> {
     pub(super) held: Held,
     pub(super) ties: Vec<Tie>,
     pub(super) size: usize,
-    dimension: usize,
+    pub(super) dimension: usize,
+    wheel: Option<Wheel>,
     /// Factor on the damping.
     pub damping: f64,
     /// Tolerances of coordinates and ties.
     pub coordinate_tolerance: Vec<f64>,
     pub tie_tolerance: Vec<f64>,
     tolerance: f64,
-    inverses: Vec<Inverse>,
-    matrices: Option<([u64; 3], Vec<f64>, Vec<f64>)>,
-    pub factorisations: u64,
+    pub(super) inverses: Vec<Inverse>,
 }
 
 impl<'a> Assembly<'a> {
-    pub fn new(train: &'a CrankTrain, tolerance: f64) -> Assembly<'a> {
+    /// The equations of a train with these tolerances; a flywheel turns freely once it is let go.
+    pub fn new(train: &'a CrankTrain, tolerance: f64, flywheel: Option<FreeFlywheel>) -> Assembly<'a> {
         let rigid: Vec<usize> =
             train.mains.iter().filter(|main| main.law.is_rigid()).map(|main| main.surface).collect();
         let (body, held) = train.body.held(&rigid);
@@ -79,8 +81,13 @@ impl<'a> Assembly<'a> {
             };
             ties.push(Tie { kind, surface: own.surface, centre: own.pin });
         }
-        dimension += SUMS;
         let reference = reference_force(train);
+        let wheel = flywheel.map(|flywheel| {
+            dimension += 3;
+            let tolerance = tolerance * speed_swing(train, flywheel, reference);
+            Wheel { flywheel, at: dimension - 3, tolerance, turns: false }
+        });
+        dimension += SUMS;
         let coordinate_tolerance = (0..size)
             .map(|k| {
                 let row = |rows: &[Vec<f64>; 2]| rows[0][k].hypot(rows[1][k]);
@@ -116,20 +123,19 @@ impl<'a> Assembly<'a> {
             ties,
             size,
             dimension,
+            wheel,
             damping: 1.0,
             coordinate_tolerance,
             tie_tolerance,
             tolerance,
             inverses: Vec::new(),
-            matrices: None,
-            factorisations: 0,
         }
     }
 
     /// A state to start from: the crankshaft undeformed, all centres together.
     pub fn start(&self) -> Vec<f64> {
         let mut y = vec![0.0; self.dimension];
-        let turn = self.turn(0.0);
+        let turn = self.own(&self.first(0.0, &y, &[]));
         let frame = super::plane::turn(turn.angle);
         for tie in &self.ties {
             if let Kind::Free(_, at) = tie.kind {
@@ -142,9 +148,26 @@ impl<'a> Assembly<'a> {
         y
     }
 
-    /// Angle, speed and acceleration of this crankshaft.
-    pub(super) fn turn(&self, t: f64) -> Turn {
-        let first = self.train.motion.at(t);
+    /// The flywheel that turns freely now.
+    pub(super) fn turning(&self) -> Option<&Wheel> {
+        self.wheel.as_ref().filter(|wheel| wheel.turns)
+    }
+
+    /// Motion of crankshaft 1: imposed, or that of a state; of an empty slope without acceleration.
+    pub(super) fn first(&self, t: f64, y: &[f64], slope: &[f64]) -> Turn {
+        let motion = &self.train.motion;
+        match self.turning() {
+            None => motion.at(t),
+            Some(Wheel { at, .. }) => Turn {
+                angle: motion.speed * t + y[*at],
+                speed: motion.speed + y[at + 1],
+                acceleration: slope.get(at + 1).copied().unwrap_or_default(),
+            },
+        }
+    }
+
+    /// Angle, speed and acceleration of this crankshaft from those of crankshaft 1.
+    pub(super) fn own(&self, first: &Turn) -> Turn {
         let ratio = self.train.ratio;
         Turn {
             angle: ratio * first.angle + self.train.phase,
@@ -153,43 +176,59 @@ impl<'a> Assembly<'a> {
         }
     }
 
-    /// D + 2 W G and K - W^2 N + W' G.
-    fn prepare(&mut self, turn: Turn) {
-        let key = [turn.speed.to_bits(), turn.acceleration.to_bits(), self.damping.to_bits()];
-        if self.matrices.as_ref().is_some_and(|(own, ..)| *own == key) {
-            return;
+    /// Deviation, its rate and the load of a free flywheel.
+    pub fn flywheel(&self, y: &[f64]) -> Option<[f64; 3]> {
+        self.turning().map(|wheel| [0, 1, 2].map(|k| y[wheel.at + k]))
+    }
+
+    /// Lets the flywheel go with this deviation, rate and load, or sets them; big ends move along with their pins.
+    pub fn set_flywheel(&mut self, t: f64, y: &mut [f64], values: [f64; 3]) {
+        let before = self.pins(t, y);
+        if let Some(wheel) = &mut self.wheel {
+            y[wheel.at..wheel.at + 3].copy_from_slice(&values);
+            wheel.turns = true;
         }
-        let n = self.size;
-        let (w, a) = (turn.speed, turn.acceleration);
-        let body = &self.body;
-        let by_velocity: Vec<f64> =
-            body.damping.iter().zip(&body.gyroscopic).map(|(d, g)| self.damping * d + 2.0 * w * g).collect();
-        let mut by_place: Vec<f64> =
-            body.centrifugal.iter().zip(&body.gyroscopic).map(|(c, g)| a * g - w * w * c).collect();
-        for (k, square) in body.stiffness.iter().enumerate() {
-            by_place[k * (n + 1)] += square;
+        let after = self.pins(t, y);
+        for ((start, old), (_, new)) in before.into_iter().zip(after) {
+            for axis in 0..2 {
+                y[start + axis] += new.place[axis] - old.place[axis];
+                y[start + 2 + axis] += new.velocity[axis] - old.velocity[axis];
+            }
         }
-        self.matrices = Some((key, by_velocity, by_place));
+    }
+
+    /// Pins in big ends that have coordinates, with the first of these.
+    fn pins(&self, t: f64, y: &[f64]) -> Vec<(usize, Moving)> {
+        let turn = self.own(&self.first(t, y, &[]));
+        let frame = super::plane::turn(turn.angle);
+        let (q, v) = y[..2 * self.size].split_at(self.size);
+        let still = vec![0.0; self.size];
+        let pin = |tie: &Tie| match tie.kind {
+            Kind::Free(_, start) => Some((start, moving(&self.body, tie, &turn, &frame, [q, v, &still]))),
+            Kind::Main(_) | Kind::Joined(_) => None,
+        };
+        self.ties.iter().filter_map(pin).collect()
     }
 
     /// Index of the inverse for a share of a step.
-    fn inverse(&mut self, share: f64) -> Option<usize> {
+    pub(super) fn inverse(&mut self, share: f64) -> Option<usize> {
         let key = [share.to_bits(), self.damping.to_bits()];
         if let Some(found) = self.inverses.iter().position(|own| own.key == key) {
             return Some(found);
         }
         let n = self.size;
-        let mean = self.train.ratio * self.train.motion.speed;
-        self.prepare(Turn { angle: 0.0, speed: mean, acceleration: 0.0 });
-        let (_, by_velocity, by_place) = self.matrices.as_ref()?;
-        let matrix: Vec<f64> = by_velocity
-            .iter()
-            .zip(by_place)
-            .enumerate()
-            .map(|(k, (v, p))| f64::from(u8::from(k / n == k % n)) + share * v + share * share * p)
+        let w = self.train.ratio * self.train.motion.speed;
+        let body = &self.body;
+        let mut matrix: Vec<f64> = (0..n * n)
+            .map(|k| {
+                let by_velocity = self.damping * body.damping[k] + 2.0 * w * body.gyroscopic[k];
+                share * by_velocity - share * share * w * w * body.centrifugal[k]
+            })
             .collect();
+        for (k, square) in body.stiffness.iter().enumerate() {
+            matrix[k * (n + 1)] += 1.0 + share * share * square;
+        }
         let factors = Lu::new(n, matrix).ok()?;
-        self.factorisations += 1;
         let mut inverse = vec![0.0; n * n];
         let mut column = vec![0.0; n];
         for j in 0..n {
@@ -211,134 +250,8 @@ impl<'a> Assembly<'a> {
         Some(self.inverses.len() - 1)
     }
 
-    fn newton(&mut self, t: f64, base: &[f64], g: f64, slope: &mut [f64]) -> Option<u32> {
-        let n = self.size;
-        let turn = self.turn(t);
-        let theta = self.train.motion.at(t).angle;
-        let frame = super::plane::turn(turn.angle);
-        let place = self.inverse(g)?;
-        self.prepare(turn);
-        let mut y = vec![0.0; self.dimension];
-        let m = 2 * self.ties.len();
-        let mut rest = vec![0.0; n];
-        let mut forces = vec![[0.0; 2]; self.ties.len()];
-        let mut iterations = 0;
-        loop {
-            iterations += 1;
-            self.state(base, g, slope, &mut y);
-            let (q, v) = y[..2 * n].split_at(n);
-            let k = &slope[n..2 * n];
-            let (_, by_velocity, by_place) = self.matrices.as_ref()?;
-            let body = &self.body;
-            for i in 0..n {
-                let line = i * n..(i + 1) * n;
-                rest[i] = k[i] + dot(&by_velocity[line.clone()], v) + dot(&by_place[line], q)
-                    - turn.speed * turn.speed * body.centrifugal_load[i]
-                    + turn.acceleration * body.euler_load[i];
-            }
-            let mut parts = Vec::with_capacity(self.ties.len());
-            let mut jacobian = Vec::with_capacity(self.ties.len());
-            for tie in &self.ties {
-                let at = moving(&self.body, tie, &turn, &frame, [q, v, k]);
-                let part = linear(self.train, tie, &turn, theta, g, &at, [&y, slope])?;
-                let rows = &body.rows[tie.surface];
-                // Into the residual go the force and the constant of the correction at once.
-                let push = back(&frame, plus(part.force, 1.0, part.constant));
-                for i in 0..n {
-                    rest[i] -= rows[0][i] * push[0] + rows[1][i] * push[1];
-                }
-                jacobian.push(turned_back(&frame, &part.slope));
-                parts.push((part, at));
-            }
-            let own = &self.inverses[place];
-            let mut change: Vec<f64> = own.inverse.chunks(n.max(1)).map(|line| -dot(line, &rest)).collect();
-            if m > 0 {
-                let mut w: Vec<f64> = self
-                    .ties
-                    .iter()
-                    .flat_map(|tie| {
-                        body.rows[tie.surface].iter().map(|row| dot(row, &change)).collect::<Vec<_>>()
-                    })
-                    .collect();
-                let mut small = vec![0.0; m * m];
-                for row in 0..m {
-                    for (tie, j) in jacobian.iter().enumerate() {
-                        let h = [own.compliance[row * m + 2 * tie], own.compliance[row * m + 2 * tie + 1]];
-                        let entry = back(j, h);
-                        small[row * m + 2 * tie] = -entry[0];
-                        small[row * m + 2 * tie + 1] = -entry[1];
-                    }
-                    small[row * (m + 1)] += 1.0;
-                }
-                Lu::new(m, small).ok()?.solve(&mut w);
-                for (tie, j) in jacobian.iter().enumerate() {
-                    let push = times(j, [w[2 * tie], w[2 * tie + 1]]);
-                    for (axis, push) in push.iter().enumerate() {
-                        let image = &own.images[2 * tie + axis];
-                        change.iter_mut().zip(image).for_each(|(to, from)| *to += push * from);
-                    }
-                }
-            }
-            // How far the correction may go, and how large it is.
-            let (mut reach, mut size) = (1.0f64, 0.0f64);
-            let mut moved = Vec::with_capacity(self.ties.len());
-            for (index, tie) in self.ties.iter().enumerate() {
-                let rows = &body.rows[tie.surface];
-                let w = times(&frame, [dot(&rows[0], &change), dot(&rows[1], &change)]);
-                let (part, at) = &parts[index];
-                let (shift, follow) = part.big_end;
-                let end = plus(shift, 1.0, times(&follow, w));
-                let law = match tie.kind {
-                    Kind::Main(index) => Some((&self.train.mains[index].law, [0.0; 2])),
-                    Kind::Free(index, start) => {
-                        Some((&self.train.cylinders[index].law, [y[start], y[start + 1]]))
-                    }
-                    Kind::Joined(_) => None,
-                };
-                if let Some((law, centre)) = law {
-                    let e = plus(at.place, -1.0, centre);
-                    let step = plus(w, -1.0, end).map(|part| g * g * part);
-                    size = size.max(length(step) / self.tie_tolerance[index]);
-                    if let TrainLaw::Film { bearing, .. } = law {
-                        reach = reach.min(within(bearing.clearance, e, step));
-                    }
-                }
-                moved.push((w, end));
-            }
-            for (change, tolerance) in change.iter().zip(&self.coordinate_tolerance) {
-                size = size.max((g * g * change).abs() / tolerance);
-            }
-            if !size.is_finite() {
-                return None;
-            }
-            for (to, change) in slope[n..2 * n].iter_mut().zip(&change) {
-                *to += reach * change;
-            }
-            for (index, tie) in self.ties.iter().enumerate() {
-                let (w, end) = moved[index];
-                let part = &parts[index].0;
-                let by = plus(times(&part.slope, w), 1.0, part.constant);
-                forces[index] = plus(part.force, reach, by);
-                if let Kind::Free(_, start) = tie.kind {
-                    slope[start + 2] += reach * end[0];
-                    slope[start + 3] += reach * end[1];
-                }
-            }
-            let done = size <= CORRECTION && reach == 1.0;
-            if (g > 0.0 && done) || (g == 0.0 && iterations == 2) {
-                break;
-            }
-            if iterations >= ITERATIONS {
-                return None;
-            }
-        }
-        self.state(base, g, slope, &mut y);
-        self.close(&turn, theta, &frame, &y, slope, &forces)?;
-        Some(iterations)
-    }
-
     /// State of a stage for its accelerations, and the velocities into the slope.
-    fn state(&self, base: &[f64], g: f64, slope: &mut [f64], y: &mut [f64]) {
+    pub(super) fn state(&self, base: &[f64], g: f64, slope: &mut [f64], y: &mut [f64]) {
         let n = self.size;
         for i in 0..n {
             y[n + i] = base[n + i] + g * slope[n + i];
@@ -355,10 +268,21 @@ impl<'a> Assembly<'a> {
                 }
             }
         }
+        if let Some(wheel) = &self.wheel {
+            let at = wheel.at;
+            if !wheel.turns {
+                slope[at + 1] = 0.0;
+            }
+            y[at + 1] = base[at + 1] + g * slope[at + 1];
+            y[at] = base[at] + g * y[at + 1];
+            y[at + 2] = base[at + 2];
+            slope[at] = y[at + 1];
+            slope[at + 2] = 0.0;
+        }
     }
 
     /// Powers into the slope.
-    fn close(
+    pub(super) fn close(
         &self,
         turn: &Turn,
         theta: f64,
@@ -383,7 +307,7 @@ impl<'a> Assembly<'a> {
         let (mut gas, mut bearings) = (0.0, 0.0);
         for (tie, force) in self.ties.iter().zip(forces) {
             let at = moving(&self.body, tie, turn, frame, [q, v, &slope[n..2 * n]]);
-            momentum -= force[1] * at.place[0] - force[0] * at.place[1];
+            momentum -= super::plane::cross(at.place, *force);
             let (index, end) = match tie.kind {
                 Kind::Main(_) => {
                     bearings += super::plane::dot(*force, at.velocity);
@@ -414,14 +338,20 @@ impl<'a> Assembly<'a> {
     }
 
     /// Estimated error over the tolerances: deformation of the crankshaft and eccentricity of every tie, places and velocities.
-    pub fn error(&self, t: f64, error: &[f64]) -> f64 {
+    /// With a free flywheel the rate of its deviation, and the deviation over a radian of the crankshaft.
+    pub fn error(&self, t: f64, y: &[f64], error: &[f64]) -> f64 {
         let n = self.size;
-        let rate = 10.0 * (self.train.ratio * self.train.motion.speed).abs();
+        let speed = self.train.motion.speed;
+        let rate = 10.0 * (self.train.ratio * speed).abs();
         let mut largest = 0.0f64;
+        if let Some(wheel) = self.turning() {
+            let [angle, rate] = [error[wheel.at], error[wheel.at + 1]].map(f64::abs);
+            largest = rate.max(speed * angle) / wheel.tolerance;
+        }
         for (k, tolerance) in self.coordinate_tolerance.iter().enumerate() {
             largest = largest.max(error[k].abs() / tolerance);
         }
-        let frame = turn(self.turn(t).angle);
+        let frame = turn(self.own(&self.first(t, y, &[])).angle);
         for (tie, tolerance) in self.ties.iter().zip(&self.tie_tolerance) {
             let rows = &self.body.rows[tie.surface];
             for (from, scale) in [(0, 1.0), (n, rate)] {
@@ -458,13 +388,19 @@ impl<'a> Assembly<'a> {
                 }
             }
         }
+        if let Some(Wheel { flywheel, at, .. }) = &self.wheel {
+            // The load over a cycle changes the speed.
+            let inertia = flywheel.whole().sqrt();
+            weights[at + 1] = inertia;
+            weights[at + 2] = self.train.motion.duration() / inertia;
+        }
         weights
     }
 
     /// Whether a state leaves every film some thickness, and every rod its line.
     pub fn has_films(&self, t: f64, y: &[f64]) -> bool {
         let n = self.size;
-        let turn = self.turn(t);
+        let turn = self.own(&self.first(t, y, &[]));
         let frame = super::plane::turn(turn.angle);
         let (q, v) = y[..2 * n].split_at(n);
         let still = vec![0.0; n];
@@ -511,22 +447,6 @@ impl StageSystem for Assembly<'_> {
     }
 }
 
-/// Share of a step of an eccentricity after which a film keeps some of its thickness.
-fn within(clearance: f64, e: Plane, step: Plane) -> f64 {
-    let film = clearance - length(e);
-    let allowed = clearance - KEPT * film;
-    if length(plus(e, 1.0, step)) <= allowed {
-        return 1.0;
-    }
-    // |e + s step| = allowed.
-    let [a, b, c] = [
-        super::plane::dot(step, step),
-        super::plane::dot(e, step),
-        super::plane::dot(e, e) - allowed * allowed,
-    ];
-    ((-b + (b * b - a * c).max(0.0).sqrt()) / a).clamp(0.0, 1.0)
-}
-
 /// Size of the forces in the train [N]: gas, inertia of pistons and rods, centrifugal force of the crankshaft.
 fn reference_force(train: &CrankTrain) -> f64 {
     let speed = train.ratio * train.motion.speed;
@@ -534,4 +454,11 @@ fn reference_force(train: &CrankTrain) -> f64 {
         own.gas.largest() + (own.slider.piston + own.slider.rod) * length(own.pin) * speed * speed
     };
     train.cylinders.iter().map(of).fold(0.0, f64::max).max(1.0)
+}
+
+/// Size of the swing of a free flywheel's speed [rad/s]: that of the largest force on the longest throw over a radian, if no other cylinder helped; at least a millionth.
+fn speed_swing(train: &CrankTrain, flywheel: FreeFlywheel, force: f64) -> f64 {
+    let throw = train.cylinders.iter().map(|own| length(own.pin)).fold(0.0, f64::max);
+    let speed = train.motion.speed;
+    (force * throw / (flywheel.whole() * speed)).max(1e-6 * speed)
 }

@@ -1,6 +1,7 @@
 //! Cycles of a train until they repeat.
 
 use super::assembly::{Assembly, SUMS};
+use super::flywheel::{FreeFlywheel, FreeSpeed};
 use super::mixing::Mixing;
 use super::parts::CrankTrain;
 use super::plane::{length, plus};
@@ -17,6 +18,8 @@ const FINEST: u32 = 24;
 const FIRST_DAMPING: f64 = 20.0;
 /// Cycles of an envelope where they never repeat.
 const ENVELOPE: usize = 5;
+/// Swing of a free speed over its mean below which it hardly swings: changes are judged by no less.
+const HARDLY: f64 = 1e-6;
 /// Share of the tolerance below which the step is doubled: 2^-4 with a margin.
 const DOUBLED: f64 = 0.04;
 
@@ -76,6 +79,8 @@ pub struct CycleState {
     pub orbit_change: f64,
     /// The same of loads and deformation, over their largest.
     pub stress_change: f64,
+    /// The same of a free flywheel's speed, over its swing; 0 where the motion is imposed.
+    pub speed_change: f64,
 }
 
 /// Work and energy over the recorded cycle [J].
@@ -124,6 +129,8 @@ pub struct TrainCycles {
     pub orbit_change: f64,
     /// The same of loads and deformation, over their largest.
     pub stress_change: f64,
+    /// How a free flywheel turns, from its first cycle on; none where the motion is imposed.
+    pub free: Option<FreeSpeed>,
     /// The recorded cycle, or five of them where they do not repeat; the last whole one of a run that was stopped or broke off, none where it had none.
     pub recorded: Vec<RecordedCycle>,
     /// Steps of all cycles, those of the recorded ones included.
@@ -139,6 +146,7 @@ pub type CycleWatch<'a> = &'a dyn Fn(CycleState) -> bool;
 
 struct Runner<'a> {
     train: &'a CrankTrain,
+    flywheel: Option<FreeFlywheel>,
     watch: CycleWatch<'a>,
     /// What the watch hears; whether it said stop; the last whole cycle.
     heard: CycleState,
@@ -174,6 +182,29 @@ pub fn run_cycles_watched(
     options: CycleOptions,
     watch: CycleWatch<'_>,
 ) -> Result<TrainCycles, FlexError> {
+    run(train, None, options, watch)
+}
+
+/// The same with a flywheel that turns freely at the mean speed of `train.motion`, which it follows over the first cycle.
+///
+/// # Errors
+/// As [`run_cycles`]; [`FlexError::Number`] for an inertia that is none.
+pub fn run_free(
+    train: &CrankTrain,
+    flywheel: FreeFlywheel,
+    options: CycleOptions,
+    watch: CycleWatch<'_>,
+) -> Result<TrainCycles, FlexError> {
+    flywheel.check()?;
+    run(train, Some(flywheel), options, watch)
+}
+
+fn run(
+    train: &CrankTrain,
+    flywheel: Option<FreeFlywheel>,
+    options: CycleOptions,
+    watch: CycleWatch<'_>,
+) -> Result<TrainCycles, FlexError> {
     train.check()?;
     if options.samples < 4 * COARSE || !options.samples.is_multiple_of(COARSE) {
         return Err(FlexError::Number {
@@ -183,12 +214,24 @@ pub fn run_cycles_watched(
             hint: "720 are one a degree of a four-stroke engine",
         });
     }
-    let assembly = Assembly::new(train, options.tolerance);
+    let assembly = Assembly::new(train, options.tolerance, flywheel);
     let state = assembly.start();
+    let mut found = TrainCycles {
+        outcome: CycleOutcome::NotPeriodic,
+        cycles: 0,
+        orbit_change: f64::INFINITY,
+        stress_change: f64::INFINITY,
+        free: None,
+        recorded: Vec::new(),
+        steps: 0,
+        rejected: 0,
+        iterations: 0,
+    };
     let mut runner = Runner {
         train,
+        flywheel,
         watch,
-        heard: CycleState { cycles: 0, part: 0.0, orbit_change: f64::INFINITY, stress_change: f64::INFINITY },
+        heard: found.state(flywheel),
         stopped: false,
         last: None,
         integrator: Esdirk::new(state.len()),
@@ -197,16 +240,6 @@ pub fn run_cycles_watched(
         assembly,
         time: 0.0,
         level: 4,
-        steps: 0,
-        rejected: 0,
-        iterations: 0,
-    };
-    let mut found = TrainCycles {
-        outcome: CycleOutcome::NotPeriodic,
-        cycles: 0,
-        orbit_change: f64::INFINITY,
-        stress_change: f64::INFINITY,
-        recorded: Vec::new(),
         steps: 0,
         rejected: 0,
         iterations: 0,
@@ -221,19 +254,20 @@ pub fn run_cycles_watched(
             return Ok(runner.broken(found));
         };
         found.cycles += 1;
-        found.compare(&mut runner, &before, &now.instants);
+        found.compare(&mut runner, &before, &now.instants, &start, &now.energy);
         before = now.instants.clone();
         runner.last = Some(now);
-        if found.cycles > 2 && found.repeats(options) {
+        if found.cycles > 2 && found.repeats(options, flywheel) {
             // What is recorded follows without mixing: it must repeat too.
+            let start = runner.state.clone();
             let Some(now) = runner.cycle(found.cycles, options.samples, 1) else {
                 return Ok(runner.broken(found));
             };
             found.cycles += 1;
             let coarse: Vec<CycleInstant> = now.instants.iter().step_by(COARSE).cloned().collect();
-            found.compare(&mut runner, &before, &coarse);
+            found.compare(&mut runner, &before, &coarse, &start, &now.energy);
             before = coarse;
-            if found.repeats(options) {
+            if found.repeats(options, flywheel) {
                 found.outcome = CycleOutcome::Periodic;
                 found.recorded.push(now);
                 return Ok(runner.counted(found));
@@ -245,14 +279,15 @@ pub fn run_cycles_watched(
         runner.damp(1.0);
     }
     for _ in 0..ENVELOPE {
+        let start = runner.state.clone();
         let Some(now) = runner.cycle(found.cycles, options.samples, 1) else {
             return Ok(runner.broken(found));
         };
         found.cycles += 1;
         let coarse: Vec<CycleInstant> = now.instants.iter().step_by(COARSE).cloned().collect();
-        found.compare(&mut runner, &before, &coarse);
+        found.compare(&mut runner, &before, &coarse, &start, &now.energy);
         before = coarse;
-        if found.repeats(options) {
+        if found.repeats(options, flywheel) {
             found.outcome = CycleOutcome::Periodic;
             found.recorded = vec![now];
             break;
@@ -263,16 +298,36 @@ pub fn run_cycles_watched(
 }
 
 impl TrainCycles {
-    fn compare(&mut self, runner: &mut Runner, before: &[CycleInstant], now: &[CycleInstant]) {
+    /// Compares a cycle with the one before, and sets the flywheel for the next.
+    fn compare(
+        &mut self,
+        runner: &mut Runner,
+        before: &[CycleInstant],
+        now: &[CycleInstant],
+        start: &[f64],
+        energy: &EnergyBalance,
+    ) {
         if !before.is_empty() {
             (self.orbit_change, self.stress_change) = runner.change(before, now);
         }
-        let (orbit_change, stress_change) = (self.orbit_change, self.stress_change);
-        runner.heard = CycleState { cycles: self.cycles, part: 0.0, orbit_change, stress_change };
+        self.free = runner.turn_flywheel(self.cycles, start, now, energy);
+        runner.heard = self.state(runner.flywheel);
     }
 
-    fn repeats(&self, options: CycleOptions) -> bool {
-        self.orbit_change < options.orbit_change && self.stress_change < options.stress_change
+    /// What the watch hears at the start of a cycle.
+    fn state(&self, flywheel: Option<FreeFlywheel>) -> CycleState {
+        let speed_change = match flywheel {
+            None => 0.0,
+            Some(_) => self.free.map_or(f64::INFINITY, |free| free.change),
+        };
+        let (orbit_change, stress_change) = (self.orbit_change, self.stress_change);
+        CycleState { cycles: self.cycles, part: 0.0, orbit_change, stress_change, speed_change }
+    }
+
+    fn repeats(&self, options: CycleOptions, flywheel: Option<FreeFlywheel>) -> bool {
+        self.orbit_change < options.orbit_change
+            && self.stress_change < options.stress_change
+            && flywheel.is_none_or(|own| self.free.is_some_and(|free| free.change < own.change))
     }
 }
 
@@ -285,7 +340,7 @@ impl Runner<'_> {
     fn broken(&mut self, mut found: TrainCycles) -> TrainCycles {
         found.outcome = match self.stopped {
             true => CycleOutcome::Stopped,
-            false => CycleOutcome::Broken { theta: self.train.motion.at(self.time).angle },
+            false => CycleOutcome::Broken { theta: self.assembly.first(self.time, &self.state, &[]).angle },
         };
         found.recorded = self.last.take().into_iter().collect();
         self.counted(found)
@@ -296,6 +351,33 @@ impl Runner<'_> {
         if self.assembly.has_films(number as f64 * self.train.motion.duration(), &state) {
             self.state = state;
         }
+    }
+
+    /// After a cycle from `start`: the flywheel at angle zero again, with the speed and load of the next; how it turned, once it is free.
+    fn turn_flywheel(
+        &mut self,
+        cycles: usize,
+        start: &[f64],
+        now: &[CycleInstant],
+        energy: &EnergyBalance,
+    ) -> Option<FreeSpeed> {
+        let flywheel = self.flywheel?;
+        let motion = &self.train.motion;
+        let duration = motion.duration();
+        let ends = self.assembly.flywheel(start).zip(self.assembly.flywheel(&self.state));
+        let ([rate, load], found) = match ends {
+            None => ([motion.at(0.0).speed - motion.speed, -energy.gas / motion.period], None),
+            Some((start, end)) => {
+                let speeds = || now.iter().map(|own| own.speed);
+                let swing = speeds().fold(0.0, f64::max) - speeds().fold(f64::INFINITY, f64::min);
+                let change = FreeFlywheel::change_of_speed(start, end, duration);
+                let change = change / swing.max(HARDLY * motion.speed);
+                (flywheel.next(start, end, duration), Some(FreeSpeed { load: end[2], change }))
+            }
+        };
+        self.assembly.set_flywheel(cycles as f64 * duration, &mut self.state, [0.0, rate, load]);
+        self.integrator.restart();
+        found
     }
 
     fn damp(&mut self, factor: f64) {
@@ -336,7 +418,7 @@ impl Runner<'_> {
             }
             let from = start + duration * stop as f64 / stops as f64;
             let mut own = self.assembly.snapshot(from, &self.state, &self.slope)?;
-            own.theta -= self.train.motion.at(start).angle - self.train.motion.at(0.0).angle;
+            own.theta -= self.train.motion.speed * start;
             instants.push(own);
             self.between(start, duration / stops as f64, stop, (COARSE / every).ilog2())?;
         }
@@ -377,7 +459,7 @@ impl Runner<'_> {
             let error = match done {
                 Some(iterations) => {
                     self.iterations += u64::from(iterations);
-                    self.assembly.error(t + h, self.integrator.error())
+                    self.assembly.error(t + h, self.integrator.next(), self.integrator.error())
                 }
                 None => f64::INFINITY,
             };

@@ -2,7 +2,7 @@
 //!
 //! * [`crank_basis`] makes the [`CrankBody`] of a mesh: modes and shapes of its bearings, in the frame that turns with it.
 //! * [`CrankTrain`] joins it with rods and pistons by [`TrainLaw`]s: rigid, contact, bushing, film.
-//! * [`run_cycles`] integrates until the cycles repeat; [`run_free`] finds the speed of a free flywheel; [`StressBasis`] gives the stress at the fillets.
+//! * [`run_cycles`] integrates until the cycles repeat; [`run_free`] with a flywheel that turns freely; [`StressBasis`] gives the stress at the fillets.
 
 mod assembly;
 mod basis;
@@ -10,7 +10,7 @@ mod body;
 mod coupling;
 mod cycle;
 mod films;
-mod free;
+mod flywheel;
 mod law;
 mod mixing;
 mod motion;
@@ -18,6 +18,7 @@ mod parts;
 mod plane;
 mod slider;
 mod snapshot;
+mod stage;
 mod stress;
 mod ties;
 
@@ -26,10 +27,10 @@ pub use body::CrankBody;
 pub use coupling::BearingPlace;
 pub use cycle::{
     CycleOptions, CycleOutcome, CycleState, CycleWatch, EnergyBalance, RecordedCycle, TrainCycles,
-    run_cycles, run_cycles_watched,
+    run_cycles, run_cycles_watched, run_free,
 };
 pub use films::{FilmInstant, largest_film_pressure};
-pub use free::{FreeCycles, FreeFlywheel, run_free};
+pub use flywheel::{FreeFlywheel, FreeSpeed};
 pub use law::TrainLaw;
 pub use motion::{ImposedMotion, PeriodicForce};
 pub use parts::{CrankTrain, TrainCylinder, TrainMain};

@@ -71,11 +71,6 @@ impl ImposedMotion {
         self.period / self.speed
     }
 
-    /// Speed of crankshaft 1 at a part of the period's time, 0 to 1 [rad/s].
-    pub fn speed_at(&self, part: f64) -> f64 {
-        self.at(part * self.duration()).speed
-    }
-
     /// At a time [s].
     pub(crate) fn at(&self, t: f64) -> Turn {
         let mut turn = Turn { angle: self.offset + self.speed * t, speed: self.speed, acceleration: 0.0 };

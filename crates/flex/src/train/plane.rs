@@ -60,6 +60,11 @@ pub(crate) fn dot(a: Plane, b: Plane) -> f64 {
     a[0] * b[0] + a[1] * b[1]
 }
 
+/// e_z . (a x b): the moment of a force b at a.
+pub(crate) fn cross(a: Plane, b: Plane) -> f64 {
+    a[0] * b[1] - a[1] * b[0]
+}
+
 /// Length.
 pub(crate) fn length(a: Plane) -> f64 {
     a[0].hypot(a[1])

@@ -11,6 +11,10 @@ use crate::sparse::dot;
 pub struct CycleInstant {
     /// Angle of crankshaft 1 [rad].
     pub theta: f64,
+    /// Speed of crankshaft 1 [rad/s].
+    pub speed: f64,
+    /// Acceleration of crankshaft 1 [rad/s^2].
+    pub acceleration: f64,
     /// Angle of this crankshaft [rad].
     pub own_angle: f64,
     /// Coordinates of the body.
@@ -37,7 +41,7 @@ impl Assembly<'_> {
     /// Kinetic and elastic energy [J].
     pub fn energy(&self, t: f64, y: &[f64]) -> f64 {
         let n = self.size;
-        let turn = self.turn(t);
+        let turn = self.own(&self.first(t, y, &[]));
         let frame = super::plane::turn(turn.angle);
         let (q, v) = y[..2 * n].split_at(n);
         let body = &self.body;
@@ -70,8 +74,8 @@ impl Assembly<'_> {
     /// Everything about the bearings at a state with its slope.
     pub fn snapshot(&self, t: f64, y: &[f64], slope: &[f64]) -> Option<CycleInstant> {
         let n = self.size;
-        let turn = self.turn(t);
-        let theta = self.train.motion.at(t).angle;
+        let first = self.first(t, y, slope);
+        let (theta, turn) = (first.angle, self.own(&first));
         let frame = super::plane::turn(turn.angle);
         let (q, v) = y[..2 * n].split_at(n);
         let k = &slope[n..2 * n];
@@ -80,6 +84,8 @@ impl Assembly<'_> {
         let size = whole.size();
         let mut found = CycleInstant {
             theta,
+            speed: first.speed,
+            acceleration: first.acceleration,
             own_angle: turn.angle,
             coordinates: Vec::new(),
             main_forces: vec![[0.0; 2]; self.train.mains.len()],

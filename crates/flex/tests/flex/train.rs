@@ -1,5 +1,7 @@
 //! The crank train on a small shaft: its body in the turning frame, laws in their limits, energy, same bits.
 
+mod free;
+
 use lanchester_film::{Cavitation, FilmTable, JournalBearing, JournalMotion};
 use lanchester_flex::crank_mesh::CrankMesh;
 use lanchester_flex::element::ElementKind;

@@ -33,14 +33,12 @@ pub enum CycleStage {
     Mesh(StressStage),
     /// The crankshaft has so many coordinates, its fillets so many nodes.
     Reduced(usize, usize),
-    /// A run; of a free speed its number among the runs that find it.
+    /// A run.
     Running {
         /// The law.
         law: CycleLaw,
         /// The crankshaft.
         crank: CrankKind,
-        /// Run of a free speed, from 1.
-        run: usize,
         /// How far it is.
         state: CycleState,
     },
@@ -111,9 +109,7 @@ pub fn crank_cycle(
                 ));
                 continue;
             }
-            let run_watch = |run: usize, state: CycleState| {
-                watch(CycleStage::Running { law: *law, crank: *kind, run, state })
-            };
+            let run_watch = |state: CycleState| watch(CycleStage::Running { law: *law, crank: *kind, state });
             let found = run_law(train, free.as_ref(), options, &run_watch)?;
             stopped = found.stopped();
             let stress = (*kind == CrankKind::Flexible).then_some(&basis.stress);

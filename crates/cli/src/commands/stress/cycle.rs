@@ -93,14 +93,14 @@ struct Progress(RefCell<Heard>);
 
 #[derive(Default)]
 struct Heard {
-    run: Option<(CycleLaw, CrankKind, usize, Instant)>,
+    run: Option<(CycleLaw, CrankKind, Instant)>,
     cycles: usize,
     said: Option<f64>,
 }
 
 impl Progress {
     fn hear(&self, stage: CycleStage) {
-        let CycleStage::Running { law, crank, run, state } = stage else {
+        let CycleStage::Running { law, crank, state } = stage else {
             match stage {
                 CycleStage::Mesh(stage) => say(stage),
                 CycleStage::Reduced(coordinates, nodes) => tell(format_args!(
@@ -111,9 +111,9 @@ impl Progress {
             return;
         };
         let mut heard = self.0.borrow_mut();
-        if heard.run.is_none_or(|(own, kind, number, _)| (own, kind, number) != (law, crank, run)) {
+        if heard.run.is_none_or(|(own, kind, _)| (own, kind) != (law, crank)) {
             heard.finish();
-            *heard = Heard { run: Some((law, crank, run, Instant::now())), ..Heard::default() };
+            *heard = Heard { run: Some((law, crank, Instant::now())), ..Heard::default() };
         }
         heard.cycles = state.cycles;
         let Some((.., began)) = heard.run else { return };
@@ -123,8 +123,12 @@ impl Progress {
             let change = |value: f64| {
                 if value.is_finite() { format!("{value:.1e}") } else { "not known yet".to_owned() }
             };
+            let of_speed = match state.speed_change {
+                0.0 => String::new(),
+                value => format!(", of the free speed {}", change(value)),
+            };
             eprintln!(
-                "{}: cycle {}, {:.0} %; change of orbits {}, of loads {}",
+                "{}: cycle {}, {:.0} %; change of orbits {}, of loads {}{of_speed}",
                 heard.name(),
                 state.cycles + 1,
                 100.0 * state.part,
@@ -141,10 +145,9 @@ impl Progress {
 
 impl Heard {
     fn name(&self) -> String {
-        let Some((law, crank, run, _)) = self.run else { return String::new() };
+        let Some((law, crank, _)) = self.run else { return String::new() };
         let crank = if crank == CrankKind::Rigid { ", rigid crankshaft" } else { "" };
-        let run = if run > 1 { format!(", run {run} of the free speed") } else { String::new() };
-        format!("{} bearings{crank}{run}", law.name())
+        format!("{} bearings{crank}", law.name())
     }
 
     fn finish(&self) {

@@ -4,7 +4,7 @@ use super::request::CycleRequest;
 use crate::inertias::known_inertia;
 use crate::stress::request::StressError;
 use lanchester_flex::train::{
-    CrankTrain, CycleOptions, CycleOutcome, CycleState, FreeFlywheel, ImposedMotion, TrainCycles,
+    CrankTrain, CycleOptions, CycleOutcome, CycleWatch, FreeFlywheel, ImposedMotion, TrainCycles,
     run_cycles_watched, run_free,
 };
 use lanchester_mechanism::{CylinderGas, OuterTorque, RippleOutcome, speed_ripple};
@@ -12,17 +12,13 @@ use lanchester_model::Engine;
 use lanchester_report::{CycleSpeed, SPEED_SETTLED};
 use std::f64::consts::TAU;
 
-/// Orders of a free speed over a revolution.
+/// Orders of the first guess of a free speed over a revolution.
 const ORDERS: f64 = 24.0;
-/// Most runs for a free speed.
-const RUNS: usize = 12;
 
 /// Cycles of a train with its laws.
 pub(crate) struct LawCycles {
     pub train: CrankTrain,
     pub cycles: TrainCycles,
-    /// Runs of a free speed, and its last change.
-    pub free: Option<(usize, f64)>,
 }
 
 impl LawCycles {
@@ -69,13 +65,7 @@ pub(crate) fn free_start(
     let times = (period / ripple.period).round().max(1.0) as usize;
     let motion = ImposedMotion::of_speeds(&ripple.speed.repeat(times), ripple.period * times as f64, orders);
     let wheel = ripple.inertia.given.flywheel + ripple.inertia.geared;
-    let flywheel = FreeFlywheel {
-        inertia: wheel,
-        train: ripple.inertia.mean - wheel,
-        orders,
-        change: SPEED_SETTLED,
-        most_runs: RUNS,
-    };
+    let flywheel = FreeFlywheel { inertia: wheel, train: ripple.inertia.mean - wheel, change: SPEED_SETTLED };
     Ok(Some(FreeStart { motion, flywheel }))
 }
 
@@ -84,14 +74,14 @@ pub(crate) fn run_law(
     mut train: CrankTrain,
     free: Option<&FreeStart>,
     options: CycleOptions,
-    watch: &dyn Fn(usize, CycleState) -> bool,
+    watch: CycleWatch<'_>,
 ) -> Result<LawCycles, StressError> {
-    let Some(start) = free else {
-        let cycles = run_cycles_watched(&train, options, &|state| watch(1, state))?;
-        return Ok(LawCycles { train, cycles, free: None });
+    let cycles = match free {
+        None => run_cycles_watched(&train, options, watch)?,
+        Some(start) => {
+            train.motion = start.motion.clone();
+            run_free(&train, start.flywheel, options, watch)?
+        }
     };
-    train.motion = start.motion.clone();
-    let found = run_free(&train, start.flywheel, options, watch)?;
-    train.motion = found.motion;
-    Ok(LawCycles { train, cycles: found.found, free: Some((found.runs, found.change)) })
+    Ok(LawCycles { train, cycles })
 }

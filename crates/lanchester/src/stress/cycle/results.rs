@@ -34,7 +34,7 @@ pub(crate) fn cycle_run(
     laws: &BearingLaws,
     stress: Option<&StressBasis>,
 ) -> Result<CycleRun, StressError> {
-    let LawCycles { train, cycles, free } = found;
+    let LawCycles { train, cycles } = found;
     let recorded: Vec<&CycleInstant> = cycles.recorded.iter().flat_map(|own| &own.instants).collect();
     let last = cycles.recorded.last().map_or(&[][..], |own| own.instants.as_slice());
     let worst = cycles.recorded.iter().map(|own| own.energy).max_by(|a, b| a.error().total_cmp(&b.error()));
@@ -84,9 +84,9 @@ pub(crate) fn cycle_run(
         steps: cycles.steps,
         rejected: cycles.rejected,
         iterations: cycles.iterations,
-        speed_runs: *free,
+        free_speed: cycles.free,
         theta: last.iter().map(|own| own.theta).collect(),
-        speed: (0..last.len()).map(|k| train.motion.speed_at(k as f64 / last.len() as f64)).collect(),
+        speed: last.iter().map(|own| own.speed).collect(),
         torque: last.iter().map(|own| own.torque).collect(),
         bearings,
         fillets,
@@ -118,13 +118,9 @@ impl Seen {
         let mains = train.mains.len();
         let slope = turned(train.body.slope(surface, &own.coordinates), own.own_angle);
         let (force, eccentricity, rate, entrainment, shell) = match (main, pin) {
-            (Some(k), _) => (
-                own.main_forces[k],
-                own.main_places[k],
-                own.rates[k],
-                0.5 * train.ratio * train.motion.speed,
-                0.0,
-            ),
+            (Some(k), _) => {
+                (own.main_forces[k], own.main_places[k], own.rates[k], 0.5 * train.ratio * own.speed, 0.0)
+            }
             (None, Some(k)) => {
                 (own.pin_forces[k], own.pin_places[k], own.rates[mains + k], own.entrainment[k], own.rods[k])
             }

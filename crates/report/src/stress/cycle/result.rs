@@ -2,16 +2,16 @@
 
 use crate::stress::body::CrankSheet;
 use lanchester_film::BearingKind;
-use lanchester_flex::train::{CycleOptions, CycleOutcome, EnergyBalance, FilletCycle};
+use lanchester_flex::train::{CycleOptions, CycleOutcome, EnergyBalance, FilletCycle, FreeSpeed};
 use serde::Serialize;
 
 /// Version of these structures; raised when a field changes its meaning or goes.
-pub const CRANK_CYCLE_VERSION: u32 = 1;
+pub const CRANK_CYCLE_VERSION: u32 = 2;
 
 /// Largest missing energy over the turnover of a run that counts as balanced.
 const BALANCED: f64 = 1e-4;
 
-/// Change of a free speed from run to run over its swing that counts as none.
+/// Change of a free speed from cycle to cycle over its swing that counts as none.
 pub const SPEED_SETTLED: f64 = 1e-3;
 
 /// What ties journals and pins to their bearings.
@@ -146,8 +146,8 @@ pub struct CycleRun {
     pub rejected: u64,
     /// Newton iterations.
     pub iterations: u64,
-    /// For a free speed: its runs, and the change of the speed between the last two over its swing.
-    pub speed_runs: Option<(usize, f64)>,
+    /// For a free speed: the load, and the change of the speed over the last cycle; `None` before there is one.
+    pub free_speed: Option<FreeSpeed>,
     /// Crank angle of crankshaft 1 at every instant of the last recorded cycle [rad].
     pub theta: Vec<f64>,
     /// Speed of crankshaft 1 there [rad/s].
@@ -240,9 +240,9 @@ impl CycleRun {
             && self.energy_error <= BALANCED
     }
 
-    /// Runs of a free speed that had not settled in them, and the last change of it over its swing.
-    pub fn unsettled_speed(&self) -> Option<(usize, f64)> {
-        self.speed_runs.filter(|(_, change)| change.is_nan() || *change > SPEED_SETTLED)
+    /// Change of a free speed over its swing in the last cycle, where it had not settled.
+    pub fn unsettled_speed(&self) -> Option<f64> {
+        self.free_speed.map(|own| own.change).filter(|change| change.is_nan() || *change > SPEED_SETTLED)
     }
 
     /// The fillet with the largest stress.
@@ -274,6 +274,8 @@ impl CycleRun {
         let parts = [
             percent(self.orbit_change).map(|change| format!("orbits by {change} of the clearance")),
             percent(self.stress_change).map(|change| format!("loads by {change} of their largest")),
+            percent(self.free_speed.map(|own| own.change))
+                .map(|change| format!("the free speed by {change} of its swing")),
         ];
         let parts: Vec<String> = parts.into_iter().flatten().collect();
         match parts.is_empty() {
@@ -285,13 +287,7 @@ impl CycleRun {
     /// How the cycles ended, in words.
     pub fn outcome_words(&self) -> String {
         match self.outcome {
-            CycleOutcome::Periodic => match self.unsettled_speed() {
-                None => "repeats".to_owned(),
-                Some((runs, change)) => format!(
-                    "free speed has not settled in {runs} runs: the last changed it by {:.2} % of its swing",
-                    100.0 * change
-                ),
-            },
+            CycleOutcome::Periodic => "repeats".to_owned(),
             CycleOutcome::NotPeriodic => format!(
                 "does not repeat in {} cycles: envelope of {}; {}",
                 self.cycles,

@@ -204,8 +204,9 @@ impl CrankCycle {
                 let why = match run.outcome {
                     CycleOutcome::Periodic | CycleOutcome::NotPeriodic => match run.unsettled_speed() {
                         None => "leaves energies unbalanced".to_owned(),
-                        Some((runs, change)) => format!(
-                            "has not found its speed in {runs} runs (last change {:.2} % of its swing)",
+                        Some(change) => format!(
+                            "has not found its speed in {} cycles (last change {:.2} % of its swing)",
+                            run.cycles,
                             100.0 * change
                         ),
                     },
@@ -272,13 +273,14 @@ impl CrankCycle {
             number::whole(self.stress_nodes as u128),
         ));
         for run in self.runs.iter().filter(|run| run.crank == CrankKind::Flexible) {
-            if let Some((count, change)) = run.speed_runs {
+            if let Some(free) = run.free_speed {
                 words.push(format!(
-                    "Free speed, {} bearings: {} to {} rpm after {count} runs, the last of which changed it by {:.1e} of its swing.",
+                    "Free speed, {} bearings: {} to {} rpm under a constant load of {} N m; the last cycle changed it by {:.1e} of its swing.",
                     run.name(),
                     number::terminal(number::rpm(run.speed.iter().copied().fold(f64::INFINITY, f64::min)), 1),
                     number::terminal(number::rpm(run.speed.iter().copied().fold(0.0, f64::max)), 1),
-                    change
+                    number::short(-free.load, 4),
+                    free.change
                 ));
             }
         }

@@ -1,0 +1,459 @@
+//! Newton's iteration of a stage, condensed to the bearings.
+//!
+//! The crankshaft is linear, so that all that is not lies in the forces of its ties, two unknowns each. With the share `g` of a step in a stage,
+//! `q = q_0 + g v`, `v = v_0 + g k`, Newton's correction of the accelerations `k` is
+//!
+//! ```text
+//! A dk = -r - c da + SUM C^T R^T df    A = 1 + g (D + 2 W G) + g^2 (K - W^2 N)    df = J w + h    w = C dk + e_z x p da
+//! (1 - H J) w = C A^-1 (C^T h - r - c da) + e_z x p da    H = C A^-1 C^T    dk = A^-1 (-r - c da + C^T (h + J w))      (book, eq. 51.7)
+//! ```
+//! `A` is inverted once for each length of step. A big end with a law of its own is eliminated within its tie: `J` and `h` hold its inertia.
+//!
+//! `da` is the correction of the acceleration of a free flywheel, 0 where the motion is imposed. It turns the frame, so that the tie at `p` feels it as an acceleration
+//! across; `c` is its derivative of `r`. It follows from the flywheel's own equation, whose torque is linear in `dk`, `w` and `da` too:
+//!
+//! ```text
+//! (J_f + i^2 dT/da) da = T_L - J_f a - i T                                                                              (book, eq. 51.13)
+//! ```
+//! What a turn of the frame does to the direction of forces and to the gas is left out of the derivatives: shares of (g W)^2 of what is in.
+
+use super::assembly::{Assembly, Inverse};
+use super::law::TrainLaw;
+use super::motion::Turn;
+use super::plane::{Plane, QUARTER, Square, back, cross, length, plus, times, turn, turned_back};
+use super::ties::{Kind, Linear, Moving, linear, moving};
+use crate::sparse::dot;
+use lanchester_numerics::Lu;
+
+/// Newton iterations of a stage.
+const ITERATIONS: u32 = 14;
+/// Last correction over the tolerance of a step.
+const CORRECTION: f64 = 0.01;
+/// Share of its thickness that a film keeps at least in one iteration.
+const KEPT: f64 = 0.2;
+
+/// A state of a stage, where its ties are and what they do there.
+struct Trial {
+    turn: Turn,
+    frame: Square,
+    ties: Vec<(Linear, Moving)>,
+}
+
+/// Newton's correction.
+struct Correction {
+    /// Of the crankshaft's accelerations.
+    change: Vec<f64>,
+    /// Of the acceleration of crankshaft 1 [rad/s^2].
+    turning: f64,
+    /// Of the acceleration of every tie, in the block's frame.
+    ties: Vec<Plane>,
+}
+
+/// The equations of the body at a state, and what its torque is made of.
+struct BodyTerms {
+    /// r without ties.
+    rest: Vec<f64>,
+    /// G v, f_c + N q, f_e + G q.
+    coriolis: Vec<f64>,
+    centrifugal: Vec<f64>,
+    euler: Vec<f64>,
+}
+
+/// The ties' own equations.
+struct Condensed<'a> {
+    own: &'a Inverse,
+    /// J in the crankshaft's frame.
+    jacobian: Vec<Square>,
+    /// Of 1 - H J.
+    factors: Lu<f64>,
+}
+
+/// Derivatives by the angular acceleration.
+struct ByTurning {
+    change: Vec<f64>,
+    moved: Vec<Plane>,
+    /// Of the flywheel's torque on the crankshaft: the inertia that it feels [kg m^2].
+    torque: f64,
+}
+
+impl Assembly<'_> {
+    /// Solves a stage for the accelerations in `slope`; with `g = 0` those of a state. The number of iterations, or none where they do not converge.
+    pub(super) fn newton(&mut self, t: f64, base: &[f64], g: f64, slope: &mut [f64]) -> Option<u32> {
+        let n = self.size;
+        let place = self.inverse(g)?;
+        let mut y = vec![0.0; self.dimension];
+        let mut forces = vec![[0.0; 2]; self.ties.len()];
+        let mut iterations = 0;
+        loop {
+            iterations += 1;
+            self.state(base, g, slope, &mut y);
+            let trial = self.trial(t, &y, g, slope)?;
+            let found = self.correction(place, g, &y, slope, &trial)?;
+            let (reach, size) = self.reach(g, &y, &trial, &found);
+            if !size.is_finite() {
+                return None;
+            }
+            for (to, change) in slope[n..2 * n].iter_mut().zip(&found.change) {
+                *to += reach * change;
+            }
+            if let Some(wheel) = self.turning() {
+                slope[wheel.at + 1] += reach * found.turning;
+            }
+            for (index, (tie, (part, _))) in self.ties.iter().zip(&trial.ties).enumerate() {
+                let w = found.ties[index];
+                forces[index] = plus(part.force, reach, plus(times(&part.slope, w), 1.0, part.constant));
+                if let Kind::Free(_, start) = tie.kind {
+                    let end = big_end(part, w);
+                    slope[start + 2] += reach * end[0];
+                    slope[start + 3] += reach * end[1];
+                }
+            }
+            let done = size <= CORRECTION && reach == 1.0;
+            if (g > 0.0 && done) || (g == 0.0 && iterations == 2) {
+                break;
+            }
+            if iterations >= ITERATIONS {
+                return None;
+            }
+        }
+        self.state(base, g, slope, &mut y);
+        let first = self.first(t, &y, slope);
+        let own = self.own(&first);
+        self.close(&own, first.angle, &turn(own.angle), &y, slope, &forces)?;
+        Some(iterations)
+    }
+
+    fn trial(&self, t: f64, y: &[f64], g: f64, slope: &[f64]) -> Option<Trial> {
+        let n = self.size;
+        let first = self.first(t, y, slope);
+        let own = self.own(&first);
+        let frame = turn(own.angle);
+        let (q, v) = y[..2 * n].split_at(n);
+        let ties = self.ties.iter().map(|tie| {
+            let at = moving(&self.body, tie, &own, &frame, [q, v, &slope[n..2 * n]]);
+            Some((linear(self.train, tie, &own, first.angle, g, &at, [y, slope])?, at))
+        });
+        Some(Trial { ties: ties.collect::<Option<_>>()?, turn: own, frame })
+    }
+
+    fn body_terms(&self, turn: &Turn, y: &[f64], k: &[f64]) -> BodyTerms {
+        let n = self.size;
+        let (q, v) = y[..2 * n].split_at(n);
+        let body = &self.body;
+        let line = |matrix: &[f64], i: usize, x: &[f64]| dot(&matrix[i * n..(i + 1) * n], x);
+        let coriolis: Vec<f64> = (0..n).map(|i| line(&body.gyroscopic, i, v)).collect();
+        let centrifugal: Vec<f64> =
+            (0..n).map(|i| body.centrifugal_load[i] + line(&body.centrifugal, i, q)).collect();
+        let euler: Vec<f64> = (0..n).map(|i| body.euler_load[i] + line(&body.gyroscopic, i, q)).collect();
+        let w = turn.speed;
+        let rest = (0..n).map(|i| {
+            k[i] + self.damping * line(&body.damping, i, v) + 2.0 * w * coriolis[i] + body.stiffness[i] * q[i]
+                - w * w * centrifugal[i]
+                + turn.acceleration * euler[i]
+        });
+        BodyTerms { rest: rest.collect(), coriolis, centrifugal, euler }
+    }
+
+    fn correction(
+        &self,
+        place: usize,
+        g: f64,
+        y: &[f64],
+        slope: &[f64],
+        trial: &Trial,
+    ) -> Option<Correction> {
+        let n = self.size;
+        let Trial { turn, frame, ties, .. } = trial;
+        let terms = self.body_terms(turn, y, &slope[n..2 * n]);
+        let condensed = self.condensed(&self.inverses[place], trial)?;
+        let mut load: Vec<f64> = terms.rest.iter().map(|rest| -rest).collect();
+        for (tie, (part, _)) in self.ties.iter().zip(ties) {
+            let rows = &self.body.rows[tie.surface];
+            // Into the residual go the force and the constant of the correction at once.
+            let push = back(frame, plus(part.force, 1.0, part.constant));
+            for (i, load) in load.iter_mut().enumerate() {
+                *load += rows[0][i] * push[0] + rows[1][i] * push[1];
+            }
+        }
+        let (mut change, mut moved) = self.solve(&condensed, frame, &load, |_| [0.0; 2]);
+        let Some(wheel) = self.turning() else {
+            return Some(Correction { change, turning: 0.0, ties: moved });
+        };
+        let by = self.by_turning(&condensed, g, y, trial, &terms);
+        let held = ties.iter().map(|(part, at)| cross(at.place, plus(part.force, 1.0, part.constant)));
+        let w = turn.speed;
+        let torque = dot(&slope[n..2 * n], &terms.euler)
+            + turn.acceleration * self.polar(y, &terms)
+            + 2.0 * w * dot(&y[n..2 * n], &terms.centrifugal)
+            - held.sum::<f64>()
+            + self.torque_of(g, trial, &terms, &change, &moved);
+        let (ratio, inertia) = (self.train.ratio, wheel.flywheel.inertia);
+        let left = y[wheel.at + 2] - inertia * slope[wheel.at + 1] - ratio * torque;
+        let turning = left / (inertia + ratio * ratio * by.torque);
+        for (change, by) in change.iter_mut().zip(&by.change) {
+            *change += ratio * turning * by;
+        }
+        for (moved, by) in moved.iter_mut().zip(&by.moved) {
+            *moved = plus(*moved, ratio * turning, *by);
+        }
+        Some(Correction { change, turning, ties: moved })
+    }
+
+    /// `1 - H J` of all ties, and J.
+    fn condensed<'a>(&self, own: &'a Inverse, trial: &Trial) -> Option<Condensed<'a>> {
+        let m = 2 * self.ties.len();
+        let jacobian: Vec<Square> =
+            trial.ties.iter().map(|(part, _)| turned_back(&trial.frame, &part.slope)).collect();
+        let mut small = vec![0.0; m * m];
+        for row in 0..m {
+            for (tie, j) in jacobian.iter().enumerate() {
+                let h = [own.compliance[row * m + 2 * tie], own.compliance[row * m + 2 * tie + 1]];
+                let entry = back(j, h);
+                small[row * m + 2 * tie] = -entry[0];
+                small[row * m + 2 * tie + 1] = -entry[1];
+            }
+            small[row * (m + 1)] += 1.0;
+        }
+        Some(Condensed { own, jacobian, factors: Lu::new(m, small).ok()? })
+    }
+
+    /// `dk`, and `w` in the block's frame, under a load on the coordinates and with accelerations of the ties beside `C dk`, in the crankshaft's frame.
+    fn solve(
+        &self,
+        condensed: &Condensed<'_>,
+        frame: &Square,
+        load: &[f64],
+        beside: impl Fn(usize) -> Plane,
+    ) -> (Vec<f64>, Vec<Plane>) {
+        let own = condensed.own;
+        let mut change: Vec<f64> =
+            own.inverse.chunks(load.len().max(1)).map(|line| dot(line, load)).collect();
+        let mut w = Vec::with_capacity(2 * self.ties.len());
+        for (index, tie) in self.ties.iter().enumerate() {
+            let beside = beside(index);
+            let rows = &self.body.rows[tie.surface];
+            w.extend([0, 1].map(|axis| dot(&rows[axis], &change) + beside[axis]));
+        }
+        condensed.factors.solve(&mut w);
+        for (tie, j) in condensed.jacobian.iter().enumerate() {
+            let push = times(j, [w[2 * tie], w[2 * tie + 1]]);
+            for (axis, push) in push.iter().enumerate() {
+                let image = &own.images[2 * tie + axis];
+                change.iter_mut().zip(image).for_each(|(to, from)| *to += push * from);
+            }
+        }
+        (change, w.chunks(2).map(|w| times(frame, [w[0], w[1]])).collect())
+    }
+
+    /// What a unit of this crankshaft's angular acceleration changes.
+    fn by_turning(
+        &self,
+        condensed: &Condensed<'_>,
+        g: f64,
+        y: &[f64],
+        trial: &Trial,
+        terms: &BodyTerms,
+    ) -> ByTurning {
+        let (n, w) = (self.size, trial.turn.speed);
+        let load: Vec<f64> = (0..n)
+            .map(|i| -terms.euler[i] - 2.0 * g * (terms.coriolis[i] - w * terms.centrifugal[i]))
+            .collect();
+        let across = |tie: usize| back(&trial.frame, times(&QUARTER, trial.ties[tie].1.place));
+        let (change, moved) = self.solve(condensed, &trial.frame, &load, across);
+        let torque = self.polar(y, terms)
+            + 2.0 * g * dot(&y[n..2 * n], &terms.centrifugal)
+            + self.torque_of(g, trial, terms, &change, &moved);
+        ByTurning { change, moved, torque }
+    }
+
+    /// Inertia about the axis at this deformation [kg m^2].
+    fn polar(&self, y: &[f64], terms: &BodyTerms) -> f64 {
+        let deformed =
+            terms.centrifugal.iter().zip(&self.body.centrifugal_load).map(|(all, load)| all + load);
+        self.body.polar + y.iter().zip(deformed).map(|(q, own)| q * own).sum::<f64>()
+    }
+
+    /// Torque of the flywheel on the crankshaft that these corrections of accelerations need [N m].
+    fn torque_of(&self, g: f64, trial: &Trial, terms: &BodyTerms, change: &[f64], moved: &[Plane]) -> f64 {
+        let of_ties =
+            trial.ties.iter().zip(moved).map(|((part, at), w)| {
+                cross(at.place, times(&part.slope, *w)) + g * g * cross(*w, part.force)
+            });
+        dot(change, &terms.euler) + 2.0 * g * trial.turn.speed * dot(change, &terms.centrifugal)
+            - of_ties.sum::<f64>()
+    }
+
+    /// How far a correction may go, and how large it is over the tolerances.
+    fn reach(&self, g: f64, y: &[f64], trial: &Trial, found: &Correction) -> (f64, f64) {
+        let (mut reach, mut size) = (1.0f64, 0.0f64);
+        for (index, tie) in self.ties.iter().enumerate() {
+            let (part, at) = &trial.ties[index];
+            let w = found.ties[index];
+            let (law, centre) = match tie.kind {
+                Kind::Main(index) => (&self.train.mains[index].law, [0.0; 2]),
+                Kind::Free(index, start) => (&self.train.cylinders[index].law, [y[start], y[start + 1]]),
+                Kind::Joined(_) => continue,
+            };
+            let e = plus(at.place, -1.0, centre);
+            let step = plus(w, -1.0, big_end(part, w)).map(|part| g * g * part);
+            size = size.max(length(step) / self.tie_tolerance[index]);
+            if let TrainLaw::Film { bearing, .. } = law {
+                reach = reach.min(within(bearing.clearance, e, step));
+            }
+        }
+        for (change, tolerance) in found.change.iter().zip(&self.coordinate_tolerance) {
+            size = size.max((g * g * change).abs() / tolerance);
+        }
+        if let Some(wheel) = self.turning() {
+            size = size.max((g * found.turning).abs() / wheel.tolerance);
+        }
+        (reach, size)
+    }
+}
+
+/// Correction of a big end's acceleration; none of one without coordinates.
+fn big_end(part: &Linear, w: Plane) -> Plane {
+    let (shift, follow) = part.big_end;
+    plus(shift, 1.0, times(&follow, w))
+}
+
+/// Share of a step of an eccentricity after which a film keeps some of its thickness.
+fn within(clearance: f64, e: Plane, step: Plane) -> f64 {
+    let film = clearance - length(e);
+    let allowed = clearance - KEPT * film;
+    if length(plus(e, 1.0, step)) <= allowed {
+        return 1.0;
+    }
+    // |e + s step| = allowed.
+    let [a, b, c] = [
+        super::plane::dot(step, step),
+        super::plane::dot(e, step),
+        super::plane::dot(e, e) - allowed * allowed,
+    ];
+    ((-b + (b * b - a * c).max(0.0).sqrt()) / a).clamp(0.0, 1.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::train::{
+        CrankBody, CrankTrain, FreeFlywheel, ImposedMotion, PeriodicForce, Slider, TrainCylinder, TrainMain,
+    };
+
+    const SPEED: f64 = 400.0;
+
+    /// Five coordinates of any numbers, a big end with a law of its own and one without, one main that yields.
+    fn train() -> CrankTrain {
+        let n = 5;
+        let number = |k: usize| (1.7 * k as f64 + 0.3).sin();
+        let row = |from: usize| -> Vec<f64> { (0..n).map(|k| number(from + 3 * k)).collect() };
+        let square =
+            |of: &dyn Fn(usize, usize) -> f64| -> Vec<f64> { (0..n * n).map(|k| of(k / n, k % n)).collect() };
+        let body = CrankBody {
+            stiffness: vec![0.0, 0.0, 4e7, 9e7, 2e8],
+            damping: square(&|i, j| if i == j { 60.0 } else { 0.0 }),
+            gyroscopic: square(&|i, j| 0.3 * (number(5 * i + j) - number(5 * j + i))),
+            centrifugal: square(&|i, j| 0.2 * (number(5 * i + j) + number(5 * j + i))),
+            centrifugal_load: row(31).iter().map(|own| 0.05 * own).collect(),
+            euler_load: row(47).iter().map(|own| 0.05 * own).collect(),
+            polar: 0.004,
+            rows: (0..4).map(|k| [row(60 + 2 * k), row(61 + 2 * k)]).collect(),
+            slopes: vec![[vec![0.0; n], vec![0.0; n]]; 4],
+            turning: row(90),
+        };
+        let main = |surface: usize, law| TrainMain { number: surface + 1, surface, law };
+        let cylinder = |surface: usize, pin: Plane, law| TrainCylinder {
+            number: surface - 1,
+            surface,
+            pin,
+            slider: Slider {
+                angle: 0.2,
+                offset: 0.001,
+                length: 0.14,
+                piston: 0.4,
+                rod: 0.5,
+                centre: 0.04,
+                inertia: 1.5e-3,
+            },
+            law,
+            gas: PeriodicForce { period: 12.6, samples: vec![2000.0] },
+        };
+        CrankTrain {
+            body,
+            mains: vec![main(0, TrainLaw::bushing(3e8, 2e4)), main(1, TrainLaw::Rigid)],
+            cylinders: vec![
+                cylinder(2, [0.04, 0.01], TrainLaw::Rigid),
+                cylinder(3, [-0.03, 0.02], TrainLaw::bushing(2e8, 1e4)),
+            ],
+            motion: ImposedMotion::constant(SPEED, 12.6),
+            ratio: -1.2,
+            phase: 0.4,
+        }
+    }
+
+    /// The equations with a flywheel that turns under a load, and a state that is none of theirs.
+    fn let_go(train: &CrankTrain, inertia: f64, load: f64) -> (Assembly<'_>, Vec<f64>) {
+        let flywheel = FreeFlywheel { inertia, train: 0.01, change: 1e-3 };
+        let mut assembly = Assembly::new(train, 1e-6, Some(flywheel));
+        let mut base = assembly.start();
+        let n = assembly.size;
+        for (k, value) in base[..2 * n].iter_mut().enumerate() {
+            *value = if k < n { 2e-5 } else { 0.05 } * (k as f64).cos();
+        }
+        assembly.set_flywheel(0.0, &mut base, [0.0, 3.0, load]);
+        (assembly, base)
+    }
+
+    /// A stage under a load: slope, iterations, torque on the crankshaft.
+    fn solved(train: &CrankTrain, inertia: f64, load: f64, g: f64) -> (Vec<f64>, u32, f64) {
+        let (mut assembly, base) = let_go(train, inertia, load);
+        let mut slope = vec![0.0; base.len()];
+        let iterations = assembly.newton(0.0, &base, g, &mut slope).unwrap();
+        let wheel = assembly.turning().unwrap().at;
+        let speed = train.ratio * (SPEED + slope[wheel]);
+        let torque = slope[assembly.sums() + 1] / speed;
+        (slope, iterations, torque)
+    }
+
+    #[test]
+    fn the_flywheel_feels_the_inertia_that_differences_say() {
+        let train = train();
+        for g in [0.0, 1e-5, 1e-4] {
+            // A flywheel of immense inertia turns as its load says.
+            let heavy = 1e9;
+            let (at, h) = (2000.0, 1.0);
+            let [low, high] = [-h, h].map(|by| solved(&train, heavy, heavy * (at + by), g).2);
+            let wanted = train.ratio * (high - low) / (2.0 * h);
+            let (mut assembly, base) = let_go(&train, heavy, heavy * at);
+            let (mut slope, ..) = solved(&train, heavy, heavy * at, g);
+            let n = assembly.size;
+            let mut y = vec![0.0; base.len()];
+            assembly.state(&base, g, &mut slope, &mut y);
+            let place = assembly.inverse(g).unwrap();
+            let trial = assembly.trial(0.0, &y, g, &slope).unwrap();
+            let terms = assembly.body_terms(&trial.turn, &y, &slope[n..2 * n]);
+            let condensed = assembly.condensed(&assembly.inverses[place], &trial).unwrap();
+            let by = assembly.by_turning(&condensed, g, &y, &trial, &terms);
+            let got = train.ratio * train.ratio * by.torque;
+            // What the derivatives leave out: (g W)^2 = 2e-3 at the longest stage.
+            let bar = 1e-6 + (g * SPEED).powi(2);
+            assert!((got / wanted - 1.0).abs() < bar, "{g}: {got} {wanted}");
+        }
+    }
+
+    #[test]
+    fn a_light_flywheel_obeys_its_equation_after_few_iterations() {
+        let train = train();
+        for (inertia, load) in [(2e-3, -30.0), (0.02, -30.0), (1.0, 200.0)] {
+            for g in [0.0, 1e-5, 1e-4] {
+                let (slope, iterations, torque) = solved(&train, inertia, load, g);
+                let at = slope.len() - super::super::assembly::SUMS - 3;
+                let left = load - inertia * slope[at + 1] - train.ratio * torque;
+                // Quadratic convergence leaves far less than the correction that counts as none.
+                let size = load.abs() + torque.abs();
+                assert!(left.abs() < 1e-6 * size, "{inertia} {g}: {left} of {size}");
+                assert!(iterations <= 4, "{inertia} {g}: {iterations}");
+            }
+        }
+    }
+}
