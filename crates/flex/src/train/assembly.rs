@@ -281,6 +281,22 @@ impl<'a> Assembly<'a> {
         }
     }
 
+    /// Torque of the flywheel on the crankshaft [N m]: rate of the moment of momentum (book, eq. 51.5) less the moments of the ties' forces about the axis.
+    pub(super) fn torque(&self, turn: &Turn, y: &[f64], k: &[f64], moments: f64) -> f64 {
+        let n = self.size;
+        let (q, v) = y[..2 * n].split_at(n);
+        let body = &self.body;
+        let line = |matrix: &[f64], i: usize, x: &[f64]| dot(&matrix[i * n..(i + 1) * n], x);
+        let mut rate = turn.acceleration * body.polar;
+        for i in 0..n {
+            let of_place = line(&body.centrifugal, i, q);
+            rate += k[i] * (body.euler_load[i] + line(&body.gyroscopic, i, q))
+                + turn.acceleration * q[i] * (2.0 * body.centrifugal_load[i] + of_place)
+                + 2.0 * turn.speed * v[i] * (body.centrifugal_load[i] + of_place);
+        }
+        rate - moments
+    }
+
     /// Powers into the slope.
     pub(super) fn close(
         &self,
@@ -295,19 +311,12 @@ impl<'a> Assembly<'a> {
         let (q, v) = y[..2 * n].split_at(n);
         let body = &self.body;
         let line = |matrix: &[f64], i: usize, x: &[f64]| dot(&matrix[i * n..(i + 1) * n], x);
-        let (mut damped, mut momentum) = (0.0, 0.0);
-        for i in 0..n {
-            damped += v[i] * line(&body.damping, i, v);
-            let of_place = line(&body.centrifugal, i, q);
-            momentum += slope[n + i] * (body.euler_load[i] + line(&body.gyroscopic, i, q))
-                + turn.acceleration * q[i] * (2.0 * body.centrifugal_load[i] + of_place)
-                + 2.0 * turn.speed * v[i] * (body.centrifugal_load[i] + of_place);
-        }
-        momentum += turn.acceleration * body.polar;
+        let damped: f64 = (0..n).map(|i| v[i] * line(&body.damping, i, v)).sum();
+        let mut moments = 0.0;
         let (mut gas, mut bearings) = (0.0, 0.0);
         for (tie, force) in self.ties.iter().zip(forces) {
             let at = moving(&self.body, tie, turn, frame, [q, v, &slope[n..2 * n]]);
-            momentum -= super::plane::cross(at.place, *force);
+            moments += super::plane::cross(at.place, *force);
             let (index, end) = match tie.kind {
                 Kind::Main(_) => {
                     bearings += super::plane::dot(*force, at.velocity);
@@ -325,7 +334,7 @@ impl<'a> Assembly<'a> {
             let state = own.slider.state(end.place, end.velocity, [0.0; 2], pressed)?;
             gas -= pressed * state.piston_velocity;
         }
-        let drive = turn.speed * momentum;
+        let drive = turn.speed * self.torque(turn, y, &slope[n..2 * n], moments);
         let sums = self.dimension - SUMS;
         slope[sums..].copy_from_slice(&[
             gas,

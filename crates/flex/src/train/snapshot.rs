@@ -1,7 +1,7 @@
 //! What a state of the train is worth: its energy, and everything about its bearings.
 
 use super::assembly::Assembly;
-use super::plane::{Plane, back, plus, times};
+use super::plane::{Plane, back, cross, plus, times};
 use super::slider::SliderState;
 use super::ties::{Kind, linear, moving};
 use crate::sparse::dot;
@@ -112,9 +112,11 @@ impl Assembly<'_> {
                     + turn.acceleration * whole.euler_load[i]
             })
             .collect();
+        let mut moments = 0.0;
         for tie in &self.ties {
             let at = moving(&self.body, tie, &turn, &frame, [q, v, k]);
             let part = linear(self.train, tie, &turn, theta, 0.0, &at, [y, slope])?;
+            moments += cross(at.place, part.force);
             let push = back(&frame, part.force);
             let rows = &whole.rows[tie.surface];
             for i in 0..size {
@@ -142,7 +144,7 @@ impl Assembly<'_> {
             }
         }
         let holding = self.held.forces(&rest);
-        found.torque = holding.first().copied().unwrap_or_default();
+        found.torque = self.torque(&turn, y, k, moments);
         let rigid = self.train.mains.iter().enumerate().filter(|(_, main)| main.law.is_rigid());
         for (place, (index, _)) in rigid.enumerate() {
             let own = [0, 1].map(|axis| holding.get(1 + 2 * place + axis).copied().unwrap_or(f64::NAN));

@@ -155,23 +155,17 @@ fn throw(stiffness: f64) -> CrankBody {
     }
 }
 
-/// Frequency of the twist with the flywheel held, with the mean inertia of rod and piston of 5e-5 kg m^2 [rad/s].
+/// Frequency of the twist with the flywheel held, with the mean inertia of rod and piston of 5e-4 kg m^2 [rad/s].
 const HELD: f64 = 3600.0;
 
 fn twisting() -> CrankBody {
-    throw(HELD * HELD * (WEB + 5e-5))
+    throw(HELD * HELD * (WEB + 5e-4))
 }
 
 #[test]
 fn a_light_flywheel_on_a_shaft_whose_twist_is_excited_obeys_its_equation() {
-    for order in [2.0, 3.0, 4.0] {
-        let mut own = single(twisting(), TrainLaw::Rigid, HELD / order);
-        // Light, and gently driven, so that the twist stays small.
-        let cylinder = &mut own.cylinders[0];
-        let slider = &mut cylinder.slider;
-        (slider.piston, slider.rod, slider.inertia) =
-            (0.1 * slider.piston, 0.1 * slider.rod, 0.1 * slider.inertia);
-        cylinder.gas.samples.iter_mut().for_each(|force| *force *= 0.2);
+    for order in [2.0, 3.0, 4.0, 6.0] {
+        let own = single(twisting(), TrainLaw::Rigid, HELD / order);
         let inertia = 5e-4;
         let found = freely(&own, inertia);
         let all = instants(&found);
@@ -179,14 +173,9 @@ fn a_light_flywheel_on_a_shaft_whose_twist_is_excited_obeys_its_equation() {
         let largest = all.iter().map(|at| at.torque.abs()).fold(0.0, f64::max);
         let n = all.len();
         let step = own.motion.duration() / n as f64;
-        let twist =
-            all.iter().map(|at| own.body.displacement(2, &at.coordinates)).map(|[x, y]| x.hypot(y) / 0.03);
-        let twist = twist.fold(0.0, f64::max);
-        assert!((1e-4..1e-2).contains(&twist), "{order}: {twist}");
         for k in 0..n {
             let left = inertia * all[k].acceleration + own.ratio * all[k].torque - load;
-            // The torque is what the equations of the whole body leave, about the undeformed crankshaft; that of the iteration about the deformed one.
-            assert!(left.abs() < 2.0 * twist * largest, "{order} {k}: {left} of {largest}");
+            assert!(left.abs() < 1e-5 * largest, "{order} {k}: {left} of {largest}");
             // The acceleration is the rate of the speed: differences of order 6 over steps of 3.75 deg.
             let at = |by: usize| all[(k + n + by - 3) % n].speed;
             let rate = (45.0 * (at(4) - at(2)) - 9.0 * (at(5) - at(1)) + at(6) - at(0)) / (60.0 * step);
@@ -223,9 +212,17 @@ fn the_motion_found_asks_for_the_same_torque_where_it_is_imposed() {
             })
             .collect();
         let again = periodic(&imposed);
+        let speeds = || all.iter().map(|at| at.speed);
+        let swing = speeds().fold(0.0, f64::max) - speeds().fold(f64::INFINITY, f64::min);
         let largest = all.iter().map(|at| at.torque.abs()).fold(0.0, f64::max);
         for (at, wanted) in instants(&again).iter().zip(all) {
-            assert!((at.speed / wanted.speed - 1.0).abs() < 1e-6, "{} {}", at.speed, wanted.speed);
+            // Orders from the 32nd on are cut.
+            assert!(
+                (at.speed - wanted.speed).abs() < 1e-3 * swing,
+                "{law:?}: {} {} of {swing}",
+                at.speed,
+                wanted.speed
+            );
             // Both repeat to 5e-3 of their loads at most.
             assert!(
                 (at.torque - wanted.torque).abs() < 5e-3 * largest,
