@@ -4,7 +4,7 @@
 //! the load, sums of energies.
 
 use super::body::{CrankBody, Held};
-use super::flywheel::FreeFlywheel;
+use super::flywheel::{FreeFlywheel, HARDLY};
 use super::law::TrainLaw;
 use super::motion::Turn;
 use super::parts::{CrankTrain, TrainCylinder};
@@ -465,9 +465,9 @@ fn reference_force(train: &CrankTrain) -> f64 {
     train.cylinders.iter().map(of).fold(0.0, f64::max).max(1.0)
 }
 
-/// Size of the swing of a free flywheel's speed [rad/s]: that of the largest force on the longest throw over a radian, if no other cylinder helped; at least a millionth.
+/// Size of the swing of a free flywheel's speed [rad/s]: what the largest force on the longest throw does over a radian.
 fn speed_swing(train: &CrankTrain, flywheel: FreeFlywheel, force: f64) -> f64 {
     let throw = train.cylinders.iter().map(|own| length(own.pin)).fold(0.0, f64::max);
     let speed = train.motion.speed;
-    (force * throw / (flywheel.whole() * speed)).max(1e-6 * speed)
+    (force * throw / (flywheel.whole() * speed)).max(HARDLY * speed)
 }

@@ -1,7 +1,7 @@
 //! Cycles of a train until they repeat.
 
 use super::assembly::{Assembly, SUMS};
-use super::flywheel::{FreeFlywheel, FreeSpeed};
+use super::flywheel::{FreeFlywheel, FreeSpeed, HARDLY};
 use super::mixing::Mixing;
 use super::parts::CrankTrain;
 use super::plane::{length, plus};
@@ -18,8 +18,6 @@ const FINEST: u32 = 24;
 const FIRST_DAMPING: f64 = 20.0;
 /// Cycles of an envelope where they never repeat.
 const ENVELOPE: usize = 5;
-/// Swing of a free speed over its mean below which it hardly swings: changes are judged by no less.
-const HARDLY: f64 = 1e-6;
 /// Share of the tolerance below which the step is doubled: 2^-4 with a margin.
 const DOUBLED: f64 = 0.04;
 

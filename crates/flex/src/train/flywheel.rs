@@ -3,13 +3,16 @@
 //! Its angle is that of the mean speed and a deviation `d`; `T` is the torque of the flywheel on the crankshaft, `i` the crankshaft's speed over that of crankshaft 1:
 //!
 //! ```text
-//! theta = w t + d    J_f d'' = T_L - i T
-//! d'_0 <- d'_0 - (d_1 - d_0)/t_P + (d'_1 - d'_0)/2    T_L <- T_L - (J_f + J_t) (d'_1 - d'_0)/t_P            (book, eq. 51.12)
+//! theta = w t + d    J_f d'' = T_L - i T                                                                    (book, eq. 51.12)
+//! d'_0 <- d'_0 - (d_1 - d_0)/t_P + (d'_1 - d'_0)/2    T_L <- T_L - (J_f + J_t) (d'_1 - d'_0)/t_P            (book, eq. 51.13)
 //! ```
 //! The second line is the start of the next cycle of duration `t_P`: it leaves nothing where the train is rigid and of constant inertia `J_t`.
 
 use crate::FlexError;
 use serde::Serialize;
+
+/// Swing of a free speed over its mean below which it hardly swings: changes and tolerances are shares of no less.
+pub(super) const HARDLY: f64 = 1e-6;
 
 /// A flywheel.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -13,7 +13,7 @@
 //! across; `c` is its derivative of `r`. It follows from the flywheel's own equation, whose torque is linear in `dk`, `w` and `da` too:
 //!
 //! ```text
-//! (J_f + i^2 dT/da) da = T_L - J_f a - i T                                                                              (book, eq. 51.13)
+//! (J_f + i^2 dT/da) da = T_L - J_f a - i T                                                                              (book, eq. 51.12)
 //! ```
 //! What a turn of the frame does to the direction of forces and to the gas is left out of the derivatives: shares of (g W)^2 of what is in.
 
