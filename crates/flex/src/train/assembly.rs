@@ -13,6 +13,8 @@ use super::ties::{Kind, Moving, Tie, moving};
 use crate::sparse::dot;
 use lanchester_numerics::{Lu, StageSystem};
 
+/// Share of the tolerance for the speed of a free flywheel: its errors add up over a cycle, while those of vibration die.
+const ADDING: f64 = 0.1;
 /// Thickness over clearance that a mixed state must leave a film.
 const LEAST_FILM: f64 = 0.002;
 /// Energies that are summed: gas, drive, damping, bearings, size of the power of all.
@@ -84,7 +86,7 @@ impl<'a> Assembly<'a> {
         let reference = reference_force(train);
         let wheel = flywheel.map(|flywheel| {
             dimension += 3;
-            let tolerance = tolerance * speed_swing(train, flywheel, reference);
+            let tolerance = ADDING * tolerance * speed_swing(train, flywheel, reference);
             Wheel { flywheel, at: dimension - 3, tolerance, turns: false }
         });
         dimension += SUMS;
