@@ -452,7 +452,9 @@ mod tests {
                 // Quadratic convergence leaves far less than the correction that counts as none.
                 let size = load.abs() + torque.abs();
                 assert!(left.abs() < 1e-6 * size, "{inertia} {g}: {left} of {size}");
-                assert!(iterations <= 4, "{inertia} {g}: {iterations}");
+                // No more iterations than with this acceleration imposed, but for the two that its tolerance takes.
+                let imposed = solved(&train, 1e9, 1e9 * slope[at + 1], g).1;
+                assert!(iterations <= imposed + 2, "{inertia} {g}: {iterations} {imposed}");
             }
         }
     }
