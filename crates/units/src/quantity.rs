@@ -50,7 +50,10 @@ pub fn parse(text: &str, dimension: Dimension, key: &str) -> Result<f64, Refusal
                 unit.dimension.with_article()
             ),
             label: format!("{} is a unit of {}", unit.name, unit.dimension.name()),
-            hint: format!("write it in {}", dimension.unit_list()),
+            hint: match (dimension, unit.dimension) {
+                (Dimension::Viscosity, Dimension::KinematicViscosity) => suggestion::KINEMATIC.into(),
+                _ => format!("write it in {}", dimension.unit_list()),
+            },
         });
     }
     match scaled(number, unit.exponent).map(|value| value * unit.factor + unit.zero) {
@@ -153,6 +156,7 @@ pub fn text_that(guess: f64, dimension: Dimension, fits: impl Fn(f64) -> bool) -
         Dimension::PerSpeed => ("1/rpm", "s/rad"),
         Dimension::Rate => ("1/s", "1/s"),
         Dimension::Viscosity => ("mPa s", "Pa s"),
+        Dimension::KinematicViscosity => ("cSt", "m2/s"),
     };
     let guess = guess + 0.0;
     neighbours(guess)

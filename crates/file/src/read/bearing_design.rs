@@ -129,8 +129,18 @@ impl<'a> Reader<'a> {
             Field::Absent => return Some(Oil::default()),
             Field::Bad => return None,
         };
-        if section.has("viscosity") && section.has("oil") {
-            self.two_sources(section, "viscosity", "oil", "the viscosity");
+        let sources = ["viscosity", "kinematic_viscosity", "oil"];
+        let given: Vec<&str> = sources.into_iter().filter(|key| section.has(key)).collect();
+        if let [keep, other, ..] = given.as_slice() {
+            self.two_sources(section, keep, other, "the viscosity");
+            return None;
+        }
+        if section.has("kinematic_viscosity") && !section.has("density") {
+            self.missing(
+                section.key_span("kinematic_viscosity"),
+                "a kinematic viscosity needs the `density` of the oil".into(),
+                section.example("density"),
+            );
             return None;
         }
         if section.has("oil") && !section.has("temperature") {
@@ -146,8 +156,9 @@ impl<'a> Reader<'a> {
             return None;
         }
         let number = |key: &str| number_of(section, key);
+        let kinematic = number("kinematic_viscosity")?.zip(number("density")?);
         Some(Oil {
-            viscosity: number("viscosity")?,
+            viscosity: number("viscosity")?.or(kinematic.map(|(kinematic, density)| kinematic * density)),
             name: name.given(),
             temperature: number("temperature")?,
             density: number("density")?,

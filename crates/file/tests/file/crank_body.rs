@@ -1,5 +1,6 @@
 //! The outline of a plain web: the convex hull of its two discs.
 
+use lanchester_file::read;
 use lanchester_model::CrankBody;
 use proptest::prelude::*;
 use std::f64::consts::PI;
@@ -70,5 +71,20 @@ proptest! {
         prop_assert!((moments.first.x - first).abs() < 1e-6 * area * (throw + end));
         prop_assert!(moments.first.y.abs() < 1e-15);
         prop_assert!((outline.swept_radius() - disc.max(throw + end)).abs() < 1e-15);
+    }
+}
+
+/// nu rho: 12 mm²/s at 850 kg/m³ are 10.2 mPa s.
+#[test]
+fn a_kinematic_viscosity_with_a_density_is_a_dynamic_one() {
+    for unit in ["12 cSt", "12 mm2/s", "12e-6 m2/s"] {
+        let text = format!(
+            "name = \"x\"\nspeed = \"1000 rpm\"\n[layout]\ntype = \"in-line\"\ncylinders = 1\n[piston]\nmass = \"0.3 kg\"\n\
+             [rod]\nlength = \"110 mm\"\nmass = \"0.3 kg\"\n[crank]\nstroke = \"60 mm\"\n\
+             [bearings.film]\nkinematic_viscosity = \"{unit}\"\ndensity = \"850 kg/m3\"\n"
+        );
+        let engine = read(&text).engine().unwrap();
+        let viscosity = engine.bearing_design.as_ref().unwrap().oil.viscosity.unwrap();
+        assert!((viscosity - 10.2e-3).abs() < 1e-12, "{unit}: {viscosity}");
     }
 }

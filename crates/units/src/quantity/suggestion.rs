@@ -6,6 +6,9 @@ use super::number::scaled;
 use super::unit::{Unit, canonical};
 use super::{Dimension, Refusal};
 
+/// What to do with a kinematic viscosity where a dynamic one is wanted.
+pub(super) const KINEMATIC: &str = "a kinematic viscosity times the density is the dynamic one: 1 cSt at 850 kg/m3 is 0.85 mPa s; an engine file has `kinematic_viscosity` with `density` beside it";
+
 /// Other spellings of the same unit, to be named in a hint; none is read.
 const SPELLINGS: [(&str, &str); 37] = [
     ("°", "deg"),
@@ -58,10 +61,7 @@ pub(super) fn unknown_unit(number: &str, text: &str, dimension: Dimension, key: 
         message: format!("`{key}` has the unknown unit \"{text}\""),
         label: "unknown unit".into(),
         hint: match suggestion(number, text, dimension) {
-            _ if dimension == Dimension::Viscosity && is_kinematic(text) => {
-                "a kinematic viscosity times the density is the dynamic one: 1 cSt at 850 kg/m3 is 0.85 mPa s"
-                    .into()
-            }
+            _ if dimension == Dimension::Viscosity && is_kinematic(text) => KINEMATIC.into(),
             Some(quantity) => format!("write \"{quantity}\""),
             None => format!("{} is written in {}", dimension.with_article(), dimension.unit_list()),
         },

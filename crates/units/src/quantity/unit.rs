@@ -71,11 +71,13 @@ pub enum Dimension {
     Rate,
     /// Dynamic viscosity, in Pa s.
     Viscosity,
+    /// Dynamic viscosity over density, in m2/s.
+    KinematicViscosity,
 }
 
 impl Dimension {
     /// All dimensions, in the order of the reference.
-    pub const ALL: [Dimension; 32] = [
+    pub const ALL: [Dimension; 33] = [
         Dimension::Length,
         Dimension::Mass,
         Dimension::Angle,
@@ -108,6 +110,7 @@ impl Dimension {
         Dimension::PerSpeed,
         Dimension::Rate,
         Dimension::Viscosity,
+        Dimension::KinematicViscosity,
     ];
 
     /// Name with its article, for messages.
@@ -145,6 +148,7 @@ impl Dimension {
             Dimension::PerSpeed => "a share per speed",
             Dimension::Rate => "a rate",
             Dimension::Viscosity => "a viscosity",
+            Dimension::KinematicViscosity => "a kinematic viscosity",
         }
     }
 
@@ -192,7 +196,7 @@ const STANDARD_GRAVITY: f64 = 9.806_65;
 /// 0 degrees Celsius [K].
 const ICE_POINT: f64 = 273.15;
 
-pub(super) static UNITS: [Unit; 110] = {
+pub(super) static UNITS: [Unit; 113] = {
     use Dimension::*;
     [
         unit(Length, "mm", -3, 1.0),
@@ -305,6 +309,9 @@ pub(super) static UNITS: [Unit; 110] = {
         unit(Viscosity, "mPa s", -3, 1.0),
         unit(Viscosity, "Pa s", 0, 1.0),
         unit(Viscosity, "cP", -3, 1.0),
+        unit(KinematicViscosity, "cSt", -6, 1.0),
+        unit(KinematicViscosity, "mm2/s", -6, 1.0),
+        unit(KinematicViscosity, "m2/s", 0, 1.0),
     ]
 };
 

@@ -5,8 +5,8 @@ use super::super::Need::{Optional, Required};
 use super::super::{Key, Kind, Table};
 use super::entry::{MOST_CYLINDERS, key, quantity};
 use lanchester_units::Dimension::{
-    Angle, Damping, Density, Inertia, Length, Pressure, PressurePerSpeed, PressurePerSpeedSquared, Speed,
-    Stiffness, Temperature, Viscosity,
+    Angle, Damping, Density, Inertia, KinematicViscosity, Length, Pressure, PressurePerSpeed,
+    PressurePerSpeedSquared, Speed, Stiffness, Temperature, Viscosity,
 };
 
 /// Most main bearings that differ.
@@ -267,6 +267,13 @@ static FILM: Table = Table {
     doc: "Oil of the bearings: its viscosity, or its name and temperature.",
     keys: &[
         quantity("viscosity", Viscosity, Positive, "Dynamic viscosity.", "\"10 mPa s\""),
+        quantity(
+            "kinematic_viscosity",
+            KinematicViscosity,
+            Positive,
+            "Kinematic viscosity, instead of `viscosity`, with `density`.",
+            "\"12 cSt\"",
+        ),
         key("oil", Kind::Text(60), Optional, "Name of an oil, instead of `viscosity`.", "\"SAE 5W-30\""),
         quantity("temperature", Temperature, Positive, "Temperature of the oil in the film.", "\"110 degC\""),
         quantity("density", Density, Positive, "Density of the oil.", "\"850 kg/m3\""),
