@@ -214,6 +214,7 @@ impl<'a> Reader<'a> {
         }
         self.check_elements(&parts);
         self.check_bearing_numbers(&parts);
+        self.check_films(&parts);
         let engine = self.valid(parts)?;
         self.check_chambers(&engine, &chambers)?;
         let tolerances = tolerances?;

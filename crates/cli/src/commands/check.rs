@@ -58,7 +58,13 @@ pub fn run(arguments: &CheckArguments, colour: bool) -> Result<u8, Failure> {
         if has_gas_error {
             status = WRONG_INPUT;
         }
-        let films = reading.file.as_ref().map_or_else(Vec::new, |file| film_faults(&file.engine));
+        // The reader has told of suspicious sizes with their place.
+        let is_told = reading.diagnostics.iter().any(|told| told.code == "W0801");
+        let films = reading
+            .file
+            .as_ref()
+            .filter(|_| !is_told)
+            .map_or_else(Vec::new, |file| film_faults(&file.engine));
         let films: Vec<String> = films.iter().map(|fault| format!("warning: {fault}")).collect();
         if arguments.format == Format::Text {
             for message in gas.iter().chain(&films) {

@@ -4,6 +4,7 @@ use super::drafts::Drafts;
 use super::reader::Reader;
 use crate::document::{Field, Span};
 use lanchester_diagnostic::Mistake;
+use lanchester_model::EngineParts;
 use lanchester_units::Dimension;
 
 /// The longest rods and strokes built are about 4 m (two-stroke ship engines), the shortest some millimetres.
@@ -17,6 +18,10 @@ const FASTEST: f64 = 60_000.0 * std::f64::consts::PI / 30.0;
 const BORE_OVER_STROKE: [f64; 2] = [0.2, 5.0];
 /// Longest rod over crank radius of built engines is about 8.
 const LARGEST_ROD_OVER_RADIUS: f64 = 25.0;
+/// Diametral clearance over the diameter of plain bearings is about 1e-3; beyond this a film is refused.
+const CLEARANCE_OVER_DIAMETER: [f64; 2] = [1e-4, 1e-2];
+/// From oil thinned by fuel at 150 degC to a cold start [Pa s].
+const VISCOSITIES: [f64; 2] = [5e-4, 5.0];
 
 impl<'a> Reader<'a> {
     pub(super) fn check_sizes(&mut self, drafts: &Drafts<'a>) {
@@ -73,6 +78,53 @@ impl<'a> Reader<'a> {
         if let Field::Given(speeds) = self.root.numbers("speed") {
             for speed in speeds.value.iter().filter(|speed| speed.value > FASTEST) {
                 self.doubt(speed.span.clone(), "a speed", speed.value, Dimension::Speed, "rpm");
+            }
+        }
+    }
+
+    /// Clearances and oil of the bearings.
+    pub(super) fn check_films(&mut self, parts: &EngineParts) {
+        let (Some(section), Some(design)) = (self.section("bearings").0, &parts.bearing_design) else {
+            return;
+        };
+        if let (Field::Given(film), Some(viscosity)) = (section.table("film"), design.oil.viscosity)
+            && !(VISCOSITIES[0]..=VISCOSITIES[1]).contains(&viscosity)
+        {
+            let given = ["viscosity", "kinematic_viscosity"]
+                .into_iter()
+                .find(|key| film.value.has(key))
+                .unwrap_or("viscosity");
+            let span = film.value.value_span(given);
+            self.doubt(span, "a viscosity of the oil", viscosity, Dimension::Viscosity, "mPa s");
+        }
+        let sizes = parts.bearings.as_ref();
+        let body = parts.crank_body.as_ref();
+        for (key, given, by_body) in [
+            ("main", sizes.and_then(|all| all.main), body.map(|body| body.journal_diameter)),
+            ("crankpin", sizes.and_then(|all| all.crankpin), body.map(|body| body.pin_diameter)),
+        ] {
+            let (Some(diameter), Field::Given(table)) =
+                (by_body.or(given.and_then(|bearing| bearing.diameter)), section.table(key))
+            else {
+                continue;
+            };
+            let each = table.value.tables("each").given().unwrap_or(&[]);
+            for own in std::iter::once(table.value).chain(each) {
+                let Field::Given(clearance) = own.number("diametral_clearance") else { continue };
+                let ratio = clearance.value / diameter;
+                if (CLEARANCE_OVER_DIAMETER[0]..=CLEARANCE_OVER_DIAMETER[1]).contains(&ratio) {
+                    continue;
+                }
+                let [clearance_text, diameter] = [clearance.value, diameter]
+                    .map(|value| lanchester_units::readable(value, Dimension::Length));
+                let message = format!(
+                    "a diametral clearance of {clearance_text} goes ill with a diameter of {diameter}"
+                );
+                self.mistakes.push(
+                    Mistake::warning("W0801", clearance.span, message)
+                        .label("suspicious size")
+                        .hint("it is the difference of the diameters of shell and journal, about a thousandth of them: check the number and its unit"),
+                );
             }
         }
     }

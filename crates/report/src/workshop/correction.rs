@@ -39,7 +39,11 @@ pub fn correction_text(correction: &Correction) -> String {
         );
     }
     if let Some(grade) = &correction.grade_now {
-        let kept = |kept: Option<bool>| if kept == Some(true) { "kept" } else { "not kept" };
+        let kept = |kept: Option<bool>| match kept {
+            Some(true) => "kept",
+            Some(false) => "not kept",
+            None => "couple not judged, which needs centre and supports of [rotor]",
+        };
         out += &format!("\nG {}: {} now", plain(1e3 * grade.grade, 4), kept(grade.kept));
         if let Some(after) = &correction.grade_after {
             out += &format!(", {} when corrected as told", kept(after.kept));

@@ -39,6 +39,7 @@ pub fn drilling_text(drilling: &Drilling) -> String {
         _ if drilling.correction.next == NextStep::Settle => {
             "\nnext: settle the doubts; until then the holes are not to be relied on\n"
         }
+        (_, Some(grade)) if grade.kept.is_none() && grade.resultant.is_some() => super::grade::COUPLE,
         (true, Some(_)) => "\nthe grade is kept with these holes\n",
         (true, None) => "\nwhat is left is within the steps of depth\n",
         (false, Some(_)) => "\nthe grade is not kept with these holes\n",

@@ -7,6 +7,9 @@ use crate::kit::table::{Cell, Column, Table};
 use lanchester_workshop::Grade;
 use num_complex::Complex64;
 
+/// What is said where only the bearings could judge.
+pub(super) const COUPLE: &str = "\nthe resultant is within the grade; the couple is not judged: add centre and supports to [rotor], which give each bearing its share\n";
+
 /// Shares of the bearings and of the correction planes; empty ones are left out.
 pub fn grade_tables(grade: &Grade) -> Vec<Table> {
     let row = |name: String, z: f64, permissible: f64, measured: Option<Complex64>, kept: Option<bool>| {
@@ -86,6 +89,7 @@ pub fn grade_text(grade: &Grade) -> String {
     out += match grade.kept {
         Some(true) => "\nthe grade is kept\n",
         Some(false) => "\nthe grade is not kept\n",
+        None if grade.resultant.is_some() => COUPLE,
         None => {
             "\nnothing is measured yet: add [[display]], or [[run]] with trial weights in planes whose z is given, for a verdict\n"
         }

@@ -391,8 +391,15 @@ pub(crate) fn graded(
     }
 }
 
+/// Whether all limits hold; `None` where there is none, or where the grade is not judged and nothing else fails.
 fn verdict(limits: impl Iterator<Item = bool>, grade: Option<&Grade>) -> Option<bool> {
-    limits.chain(grade.and_then(|grade| grade.kept)).reduce(|all, one| all && one)
+    let limits = limits.reduce(|all, one| all && one);
+    match (limits, grade.map(|grade| grade.kept)) {
+        (Some(false), _) | (_, Some(Some(false))) => Some(false),
+        (_, Some(None)) => None,
+        (_, Some(Some(true))) => Some(true),
+        (limits, None) => limits,
+    }
 }
 
 /// The correction of one plane, split among its allowed angles.

@@ -30,8 +30,9 @@ pub struct Grade {
     pub bearings: Vec<GradedBearing>,
     /// The share of each correction plane whose place is given; empty without bearings.
     pub planes: Vec<GradedPlane>,
-    /// Whether the measured unbalance keeps the grade: at both bearings where they are known, as a resultant where
-    /// not. `None` where nothing is measured.
+    /// Whether the measured unbalance keeps the grade: at both bearings where they are known. Where they are not, a resultant beyond
+    /// U_per does not, one within it does if it is measured in one plane; several planes may have a couple that only bearings can judge.
+    /// `None` where nothing is measured, or that couple is not judged.
     pub kept: Option<bool>,
 }
 
@@ -107,7 +108,11 @@ pub(crate) fn of_unbalances(
     let bearings = bearings(rotor, permissible, measured)?;
     let planes = planes(sheet, &bearings, measured)?;
     let kept = match (bearings.as_slice(), resultant) {
-        ([], Some(resultant)) => Some(resultant.norm() <= permissible),
+        ([], Some(resultant)) => {
+            let has_couple = measured.is_some_and(|all| all.len() > 1);
+            let within = resultant.norm() <= permissible;
+            (!within || !has_couple).then_some(within)
+        }
         (bearings, Some(_)) => Some(bearings.iter().all(|bearing| bearing.kept == Some(true))),
         (_, None) => None,
     };

@@ -115,6 +115,24 @@ fn the_verdict_is_that_of_the_bearings() {
     assert_eq!(grade(&rotor(&text("130 g mm"))).unwrap().kept, Some(false));
 }
 
+/// A couple of 130 g mm is beyond what the bearings may have (the test above), and its resultant is nothing.
+#[test]
+fn a_couple_is_not_judged_by_its_resultant() {
+    let measured = |amounts: [f64; 2]| {
+        let display = |z: f64, amount: f64, angle: f64| {
+            format!(
+                "[[display]]\nkind = \"plane\"\nz = \"{z} mm\"\nunbalance = \"{amount} g mm\"\nangle = \"{angle} deg\"\n"
+            )
+        };
+        grade(&rotor(&(display(100.0, amounts[0], 30.0) + &display(300.0, amounts[1], 210.0)))).unwrap()
+    };
+    let couple = measured([130.0, 130.0]);
+    assert!(couple.resultant.unwrap().norm() < 1e-12 && couple.bearings.is_empty());
+    assert_eq!(couple.kept, None);
+    // U_per is 120.3 g mm.
+    assert_eq!(measured([130.0, 5.0]).kept, Some(false));
+}
+
 #[test]
 fn what_is_missing_is_named() {
     let error = grade(&sheet("name = \"x\"\n[rotor]\nmass = \"1 kg\"\nspeed = \"10 Hz\"")).unwrap_err();
