@@ -361,6 +361,37 @@ test.describe("a draft", () => {
     await expect(page.getByRole("button", { name: "Discard draft" })).toHaveCount(0);
   });
 
+  test("holds what the server has not read yet", { tag: "@server" }, async ({ page }) => {
+    // The server is busy: an edit stays on its way until the page goes.
+    let busy = true;
+    await page.route(
+      (address) => address.pathname === "/api/engine",
+      (route) =>
+        busy && route.request().postData()?.includes('"155 mm"')
+          ? new Promise<void>(() => {})
+          : route.fallback(),
+    );
+    await type(page, "rod.length", "155 mm");
+    await expect(page.locator(".unsaved")).toBeVisible();
+    expect(await text(page)).not.toContain("155 mm");
+    busy = false;
+    const asked = page.waitForEvent("dialog");
+    await page.evaluate(() => setTimeout(() => location.reload()));
+    expect((await asked).type()).toBe("beforeunload");
+    await expect(page.getByText("Your unsaved changes are back")).toBeVisible();
+    await expect(field(page, "rod.length")).toHaveValue("155 mm");
+    await expect.poll(() => text(page)).toContain('length = "155 mm"');
+    await page.getByRole("button", { name: /^Undo/ }).click();
+    await expect(field(page, "rod.length")).toHaveValue("150 mm");
+  });
+
+  test("holds what is still being typed", async ({ page }) => {
+    await field(page, "rod.length").fill("155 mm");
+    await reload(page);
+    await expect(field(page, "rod.length")).toHaveValue("155 mm");
+    await expect(page.getByText("Your unsaved changes are back")).toBeVisible();
+  });
+
   test("does not go over a file that is newer than it, unless it is told to", async ({ studio, page }) => {
     await type(page, "rod.length", "155 mm");
     await expect(page.locator(".unsaved")).toBeVisible();

@@ -1,11 +1,14 @@
 // Drafts: what no file holds yet, kept by the browser so that it is there again after a reload.
 
+import type { Edit } from "../api/types";
 import { engine } from "./engine.svelte";
 import { server } from "./server.svelte";
 
 /** What the browser keeps of an engine that is not saved. */
 export interface Draft {
   text: string;
+  /** Edits that are not in the text yet: the page went before the server had written them there. */
+  edits: Edit[];
   /** Name of its file; `null`: none yet. */
   name: string | null;
   /** Name in place of a file that is not there yet. */
@@ -31,10 +34,11 @@ export function keyOf(folder: string, name: string | null): string {
 export function kept(json: string | null): Draft | undefined {
   if (json === null) return undefined;
   try {
-    const { text, name, untitled, revision, at } = JSON.parse(json) as Partial<Draft>;
+    const { text, edits, name, untitled, revision, at } = JSON.parse(json) as Partial<Draft>;
     if (typeof text !== "string" || typeof at !== "number") return undefined;
     return {
       text,
+      edits: Array.isArray(edits) ? edits : [],
       name: typeof name === "string" ? name : null,
       untitled: typeof untitled === "string" ? untitled : "engine",
       revision: typeof revision === "string" ? revision : null,
@@ -47,7 +51,7 @@ export function kept(json: string | null): Draft | undefined {
 
 /** What becomes of a draft at the start: it is taken up where this window had it in hand and the file is still that of then; else it is offered. */
 export function fate(draft: Draft, held: boolean, onDisk: { revision: string; text: string } | null) {
-  if (onDisk && draft.text === onDisk.text) return "useless";
+  if (onDisk && draft.text === onDisk.text && draft.edits.length === 0) return "useless";
   if (!held) return "offer";
   return draft.name === null || !onDisk || draft.revision === onDisk.revision ? "take" : "offer";
 }
@@ -96,7 +100,7 @@ class Drafts {
     this.#key = this.#now();
     // A state from a link does not write over a draft that nobody was asked about.
     const draft = kept(read(localStorage, this.#key));
-    if (draft && draft.text !== engine.text) this.offered ??= { draft, key: this.#key, newer: false };
+    if (draft && draft.text !== engine.text && draft.at !== this.restored?.at) this.offered ??= { draft, key: this.#key, newer: false };
     this.#started = true;
     engine.whenOpened(() => {
       // Whoever opened another engine was asked about the changes of this one.
@@ -131,6 +135,7 @@ class Drafts {
   #keep() {
     const draft: Draft = {
       text: engine.text,
+      edits: engine.pending,
       name: engine.file?.name ?? null,
       untitled: engine.untitled,
       revision: engine.file?.revision ?? null,
@@ -149,9 +154,20 @@ class Drafts {
     const file = server.session?.file ?? null;
     if (isFile && file) {
       await engine.open(file, file.text);
-      await engine.set(draft.text, "Take up the draft");
-    } else await engine.open(null, draft.text, draft.name?.replace(/\.toml$/, "") ?? draft.untitled);
+      await this.#put(draft);
+    } else await this.#open(draft);
     this.restored = draft;
+  }
+
+  async #put(draft: Draft) {
+    await engine.set(draft.text, "Take up the draft", "draft");
+    if (draft.edits.length > 0) await engine.edit(draft.edits, "Take up the draft", "draft");
+  }
+
+  /** As an engine without a file. */
+  async #open(draft: Draft) {
+    await engine.open(null, draft.text, draft.name?.replace(/\.toml$/, "") ?? draft.untitled);
+    if (draft.edits.length > 0) await engine.edit(draft.edits, "Take up the draft");
   }
 
   /** Takes up what was offered, in place of what is open; undo brings back the text of its file. */
@@ -161,8 +177,8 @@ class Drafts {
     this.offered = undefined;
     const same = draft.name !== null && draft.name === engine.file?.name;
     write(localStorage, key, null);
-    if (same) await engine.set(draft.text, "Take up the draft");
-    else await engine.open(null, draft.text, draft.name?.replace(/\.toml$/, "") ?? draft.untitled);
+    if (same) await this.#put(draft);
+    else await this.#open(draft);
     this.restored = draft;
   }
 

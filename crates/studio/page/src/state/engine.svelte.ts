@@ -44,6 +44,8 @@ class EngineDocument {
   /** Name in place of a file that is not there yet. */
   untitled = $state("engine");
   problem = $state.raw<Problem>();
+  /** Edits that were made and are not in the text yet, the oldest one first. */
+  pending = $state.raw<Edit[]>([]);
 
   /** Another program removed the file since it was opened or saved here. */
   removedOutside = $derived(
@@ -52,9 +54,10 @@ class EngineDocument {
   dirty = $derived(this.removedOutside || this.text !== (this.file?.text ?? ""));
   /** Something would be lost with this text: an untouched template of the gallery would not. */
   unsaved = $derived(
-    this.dirty &&
-      this.text !== "" &&
-      !(this.file === null && server.session?.templates.some((template) => template.text === this.text)),
+    this.pending.length > 0 ||
+      (this.dirty &&
+        this.text !== "" &&
+        !(this.file === null && server.session?.templates.some((template) => template.text === this.text))),
   );
   undoes = $derived(this.#past.at(-1)?.what);
   redoes = $derived(this.#future.at(-1)?.what);
@@ -171,6 +174,7 @@ class EngineDocument {
       for (const waiting of this.#waiting.filter(replaced)) waiting.done();
       this.#waiting = this.#waiting.filter((waiting) => !replaced(waiting));
       this.#waiting.push({ job, remember, done });
+      this.#tell();
       this.#start();
     });
   }
@@ -185,6 +189,12 @@ class EngineDocument {
     for (const one of [...this.#waiting, ...(this.#current ? [this.#current] : [])]) one.done();
     this.#waiting = [];
     this.#current = undefined;
+    this.#tell();
+  }
+
+  #tell() {
+    const edits = this.#edits().flatMap(({ job }) => job.edits ?? []);
+    if (edits.length > 0 || this.pending.length > 0) this.pending = edits;
   }
 
   #start() {
@@ -196,11 +206,13 @@ class EngineDocument {
     try {
       for (let next = this.#waiting.shift(); next; next = this.#waiting.shift()) {
         this.#current = next;
+        this.#tell();
         if (!(await this.#read(next))) break;
       }
     } finally {
       this.#current = undefined;
       this.#running = false;
+      this.#tell();
     }
   }
 

@@ -89,6 +89,20 @@ describe("engine", () => {
     expect(engine.text).toBe("one\na = 1\nb = 2");
   });
 
+  it("has something unsaved from the moment of an edit on", async () => {
+    await opened("");
+    expect(engine.unsaved).toBe(false);
+    void engine.edit([{ path: "a", value: 1 }], "a");
+    void engine.edit([{ path: "b", value: 2 }], "b");
+    expect(engine.unsaved).toBe(true);
+    expect(engine.pending.map((edit) => edit.path)).toEqual(["a", "b"]);
+    await asked[0]?.answer();
+    expect(engine.pending.map((edit) => edit.path)).toEqual(["b"]);
+    await asked[0]?.answer();
+    expect(engine.pending).toEqual([]);
+    expect(engine.unsaved).toBe(true);
+  });
+
   it("remembers the first text that made an engine until another one is opened", async () => {
     await opened("one");
     void engine.set("two", "type");

@@ -204,12 +204,16 @@ class Files {
 }
 
 /** What is still being typed counts: fields hand it on when the focus leaves them. */
-async function typed() {
+export function handOn() {
   const at = document.activeElement;
   if (at instanceof HTMLElement && at.matches("input, textarea")) {
     at.blur();
     at.focus({ preventScroll: true });
   }
+}
+
+async function typed() {
+  handOn();
   await engine.settled();
 }
 
