@@ -5,7 +5,7 @@ import type { Fields } from "./sheet";
 class SheetFields {
   now = $state<Fields>({
     name: "crank",
-    pins: 0,
+    pins: 1,
     rods: 1,
     oil: "",
     share: "",
@@ -13,6 +13,7 @@ class SheetFields {
     grade: "",
     speed: "",
     mass: "",
+    centre: "",
     displays: [
       { z: "", unbalance: "", angle: "" },
       { z: "", unbalance: "", angle: "" },
@@ -24,6 +25,16 @@ class SheetFields {
   });
   /** Whether the open engine is the one of the sheet. */
   withEngine = $state(true);
+  #followed = "";
+
+  /** Takes pins and rods of an engine over, unless they are those of the one before: what was typed since stays. */
+  follow({ pins, rods }: Pick<Fields, "pins" | "rods">) {
+    const key = `${pins} ${rods}`;
+    if (key === this.#followed) return;
+    this.#followed = key;
+    this.now.pins = pins;
+    this.now.rods = rods;
+  }
 }
 
 export const fields = new SheetFields();

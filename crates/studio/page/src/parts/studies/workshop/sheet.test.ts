@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { sheetOf, withUnit, type Fields } from "./sheet";
+import { pinsOf, sheetOf, withUnit, type Fields } from "./sheet";
 
 const none: Fields = {
   name: 'the "old" crank',
@@ -11,9 +11,18 @@ const none: Fields = {
   grade: "",
   speed: "",
   mass: "",
+  centre: "",
   displays: [],
   planes: [],
 };
+
+test("pins and rods are those of the engine", () => {
+  const crank = { angle: 0, z: 0, radius: 0.04, web: 0.02, crankshaft: 0 };
+  const cylinder = { number: 1, angle: 0, z: 0, offset: 0, bore: 0, rod: 0.13, knuckle: 0 };
+  const on = (places: number[]) => places.map((place) => ({ ...cylinder, throw: place }));
+  expect(pinsOf({ throws: [crank, crank], cylinders: on([0, 0, 1, 1]) })).toEqual({ pins: 2, rods: 2 });
+  expect(pinsOf({ throws: [crank, crank, crank], cylinders: on([0, 1, 2]) })).toEqual({ pins: 3, rods: 1 });
+});
 
 test("plain numbers get the unit of their field, what has one keeps it", () => {
   expect(["370", " 0,4 ", "0.81 lb", ""].map((value) => withUnit(value, "g"))).toEqual([
@@ -40,13 +49,14 @@ test("measurements bring their planes and supports along", () => {
   const sheet = sheetOf({
     ...none,
     mass: "24",
+    centre: "290",
     planes: [{ name: "front", z: "35", radius: "82" }],
     displays: [
       { z: "0", unbalance: "820", angle: "171" },
       { z: "420", unbalance: "640", angle: "38" },
     ],
   });
-  expect(sheet).toContain('[rotor]\nmass = "24 kg"\nsupports = ["0 mm", "420 mm"]');
+  expect(sheet).toContain('[rotor]\nmass = "24 kg"\ncentre = "290 mm"\nsupports = ["0 mm", "420 mm"]');
   expect(sheet).toContain('[[plane]]\nname = "front"\nz = "35 mm"\nradius = "82 mm"');
   expect(sheet.match(/\[\[display\]\]/g)).toHaveLength(2);
 });

@@ -1,5 +1,7 @@
 // A workshop sheet from the fields of a form: the text that `lanchester workshop` reads.
 
+import type { Shape } from "../../engine/sketch/geometry";
+
 /** A field of the sheet: key, name, whether it must be given. */
 export const PARTS = [
   ["big_end", "Big end of the rod", true],
@@ -24,10 +26,21 @@ export interface Fields {
   grade: string;
   speed: string;
   mass: string;
+  /** z of its centre of mass: the grade is shared out among the bearings by it. */
+  centre: string;
   /** Ends of the crank where a balancing machine shows the unbalance. */
   displays: { z: string; unbalance: string; angle: string }[];
   /** Planes in which the crank is corrected. */
   planes: { name: string; z: string; radius: string }[];
+}
+
+/** Crankpins of an engine, and the most rods that one of them carries. */
+export function pinsOf({
+  throws,
+  cylinders,
+}: Pick<Shape, "throws" | "cylinders">): Pick<Fields, "pins" | "rods"> {
+  const rods = throws.map((_, at) => cylinders.filter((cylinder) => cylinder.throw === at).length);
+  return { pins: throws.length, rods: Math.max(1, ...rods) };
 }
 
 const text = (value: string) => JSON.stringify(value);
@@ -45,7 +58,8 @@ function line(key: string, value: string, unit: string): string[] {
 /** The sheet, without what was left empty. */
 export function sheetOf(fields: Fields): string {
   const parts = PARTS.flatMap(([key]) => line(key, fields.parts[key], "g"));
-  const rotor = [...line("mass", fields.mass, "kg"), ...line("speed", fields.speed, "rpm")];
+  const rotor = [...line("mass", fields.mass, "kg"), ...line("centre", fields.centre, "mm")];
+  rotor.push(...line("speed", fields.speed, "rpm"));
   const measured = fields.displays.filter(({ unbalance }) => unbalance.trim() !== "");
   if (measured.length > 0) {
     const supports = fields.displays.map(({ z }) => text(withUnit(z, "mm")));
