@@ -100,7 +100,8 @@ class Drafts {
     this.#key = this.#now();
     // A state from a link does not write over a draft that nobody was asked about.
     const draft = kept(read(localStorage, this.#key));
-    if (draft && draft.text !== engine.text && draft.at !== this.restored?.at) this.offered ??= { draft, key: this.#key, newer: false };
+    if (draft && draft.text !== engine.text && draft.at !== this.restored?.at)
+      this.offered ??= { draft, key: this.#key, newer: false };
     this.#started = true;
     engine.whenOpened(() => {
       // Whoever opened another engine was asked about the changes of this one.
