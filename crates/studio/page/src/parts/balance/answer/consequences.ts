@@ -11,7 +11,7 @@ const QUANTITIES: Record<Quantity, { name: string; measure: Measure }> = {
   couple: { name: "Couple, peak", measure: "moment" },
   "roll-moment": { name: "Roll moment, peak", measure: "moment" },
   "mount-force": { name: "Mount force, largest", measure: "force" },
-  "main-load-rms": { name: "Main-bearing load, RMS", measure: "force" },
+  "main-load-rms": { name: "Main-bearing load, rms", measure: "force" },
   "main-load-peak": { name: "Main-bearing load, peak", measure: "force" },
   "bending-moment": { name: "Bending moment, largest", measure: "moment" },
   "counterweight-mass": { name: "Counterweights, mass", measure: "mass" },
