@@ -22,9 +22,9 @@ const LISTED: usize = 10;
 /// Tests that took longer in the last whole run are left out of a quick one [s].
 const QUICK: f64 = 1.0;
 /// Test programs that run at a time.
-const AT_A_TIME: usize = 3;
-/// Tests that each of them runs at a time.
-const THREADS: usize = 1;
+const AT_A_TIME: usize = 2;
+/// Tests that each of them runs at a time: where one waits for its last, the other has the processors.
+const THREADS: usize = 2;
 
 /// Packages whose tests factor large matrices. The tests at a time fill the processors, and factors on two threads wait for each other by spinning: where
 /// four tests factor at once, a quarter of the time. What is to be the same on any number of threads asks for its own.
