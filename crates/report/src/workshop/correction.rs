@@ -1,6 +1,6 @@
 //! What to do about the unbalance of a rotor, as tables.
 
-use super::grade::{grade_tables, plain};
+use super::grade::{COUPLE, grade_tables, plain};
 use super::mass::{grams, on_rotor, rotor_angle, rotor_degrees};
 use crate::kit::number;
 use crate::kit::rounding::below;
@@ -42,13 +42,16 @@ pub fn correction_text(correction: &Correction) -> String {
         let kept = |kept: Option<bool>| match kept {
             Some(true) => "kept",
             Some(false) => "not kept",
-            None => "couple not judged, which needs centre and supports of [rotor]",
+            None => "not judged",
         };
         out += &format!("\nG {}: {} now", plain(1e3 * grade.grade, 4), kept(grade.kept));
         if let Some(after) = &correction.grade_after {
             out += &format!(", {} when corrected as told", kept(after.kept));
         }
         out += "\n";
+        if grade.kept.is_none() {
+            out += COUPLE;
+        }
         for table in grade_tables(grade) {
             out += "\n";
             out += &table.text();
