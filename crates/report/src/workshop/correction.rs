@@ -83,7 +83,11 @@ fn next_words(correction: &Correction) -> String {
             "next: settle the doubts; until then the corrections are not to be relied on".to_owned()
         }
         (NextStep::Correct, holds) => {
-            let why = if holds == Some(false) { "a limit does not hold yet" } else { "no limit is stated" };
+            let why = match (holds, &correction.grade_now) {
+                (Some(false), _) => "a limit does not hold yet",
+                (_, Some(_)) => "the couple is not judged",
+                (_, None) => "no limit is stated",
+            };
             let again = match correction.runs {
                 Some(_) => "run again, and add the run to the sheet",
                 None => "and measure again",
