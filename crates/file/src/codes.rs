@@ -129,5 +129,6 @@ static CODES: &[(&str, &str)] = &[
     ("W0802", "a suspicious share"),
     ("W0901", "a shape that misses its unbalance"),
     ("W0902", "weights of a shaft that overlap"),
+    ("W1301", "a clearance or a viscosity that no oil film has"),
     ("W1501", "a tolerance of parts that the engine does not have"),
 ];

@@ -58,8 +58,8 @@ pub fn run(arguments: &CheckArguments, colour: bool) -> Result<u8, Failure> {
         if has_gas_error {
             status = WRONG_INPUT;
         }
-        // The reader has told of suspicious sizes with their place.
-        let is_told = reading.diagnostics.iter().any(|told| told.code == "W0801");
+        // What the reader has told of them has its place.
+        let is_told = reading.diagnostics.iter().any(|told| told.code == "W1301");
         let films = reading
             .file
             .as_ref()

@@ -133,22 +133,14 @@ impl<'a> Reader<'a> {
         let given: Vec<&str> = sources.into_iter().filter(|key| section.has(key)).collect();
         if let [keep, other, ..] = given.as_slice() {
             self.two_sources(section, keep, other, "the viscosity");
-            return None;
         }
-        if section.has("kinematic_viscosity") && !section.has("density") {
-            self.missing(
-                section.key_span("kinematic_viscosity"),
-                "a kinematic viscosity needs the `density` of the oil".into(),
-                section.example("density"),
-            );
-            return None;
-        }
-        if section.has("oil") && !section.has("temperature") {
-            self.missing(
-                section.key_span("oil"),
-                "the viscosity of an oil needs its `temperature`".into(),
-                section.example("temperature"),
-            );
+        for (key, beside, message) in [
+            ("kinematic_viscosity", "density", "a kinematic viscosity needs the `density` of the oil"),
+            ("oil", "temperature", "the viscosity of an oil needs its `temperature`"),
+        ] {
+            if section.has(key) && !section.has(beside) {
+                self.missing(section.key_span(key), message.into(), section.example(beside));
+            }
         }
         let name = section.text("oil");
         let cavitation = section.word("cavitation");

@@ -20,8 +20,8 @@ const BORE_OVER_STROKE: [f64; 2] = [0.2, 5.0];
 const LARGEST_ROD_OVER_RADIUS: f64 = 25.0;
 /// Diametral clearance over the diameter of plain bearings is about 1e-3; beyond this a film is refused.
 const CLEARANCE_OVER_DIAMETER: [f64; 2] = [1e-4, 1e-2];
-/// From oil thinned by fuel at 150 degC to a cold start [Pa s].
-const VISCOSITIES: [f64; 2] = [5e-4, 5.0];
+/// From hot oil thinned by fuel to the thickest with which an engine is cranked in the cold [Pa s].
+const VISCOSITIES: [f64; 2] = [5e-4, 9.5];
 
 impl<'a> Reader<'a> {
     pub(super) fn check_sizes(&mut self, drafts: &Drafts<'a>) {
@@ -90,12 +90,14 @@ impl<'a> Reader<'a> {
         if let (Field::Given(film), Some(viscosity)) = (section.table("film"), design.oil.viscosity)
             && !(VISCOSITIES[0]..=VISCOSITIES[1]).contains(&viscosity)
         {
-            let given = ["viscosity", "kinematic_viscosity"]
-                .into_iter()
-                .find(|key| film.value.has(key))
-                .unwrap_or("viscosity");
-            let span = film.value.value_span(given);
-            self.doubt(span, "a viscosity of the oil", viscosity, Dimension::Viscosity, "mPa s");
+            let given = if film.value.has("viscosity") { "viscosity" } else { "kinematic_viscosity" };
+            let shown = lanchester_units::readable(viscosity, Dimension::Viscosity);
+            let message = format!("no oil of a bearing has a viscosity of {shown}");
+            self.mistakes.push(
+                Mistake::warning("W1301", film.value.value_span(given), message)
+                    .label("suspicious viscosity")
+                    .hint("hot engine oil has 3 to 50 mPa s: check the number and its unit"),
+            );
         }
         let sizes = parts.bearings.as_ref();
         let body = parts.crank_body.as_ref();
@@ -121,7 +123,7 @@ impl<'a> Reader<'a> {
                     "a diametral clearance of {clearance_text} goes ill with a diameter of {diameter}"
                 );
                 self.mistakes.push(
-                    Mistake::warning("W0801", clearance.span, message)
+                    Mistake::warning("W1301", clearance.span, message)
                         .label("suspicious size")
                         .hint("it is the difference of the diameters of shell and journal, about a thousandth of them: check the number and its unit"),
                 );

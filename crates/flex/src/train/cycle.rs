@@ -77,8 +77,8 @@ pub struct CycleState {
     pub orbit_change: f64,
     /// The same of loads and deformation, over their largest.
     pub stress_change: f64,
-    /// The same of a free flywheel's speed, over its swing; 0 where the motion is imposed.
-    pub speed_change: f64,
+    /// The same of a free flywheel's speed, over its swing; none where the motion is imposed.
+    pub speed_change: Option<f64>,
 }
 
 /// Work and energy over the recorded cycle [J].
@@ -314,10 +314,7 @@ impl TrainCycles {
 
     /// What the watch hears at the start of a cycle.
     fn state(&self, flywheel: Option<FreeFlywheel>) -> CycleState {
-        let speed_change = match flywheel {
-            None => 0.0,
-            Some(_) => self.free.map_or(f64::INFINITY, |free| free.change),
-        };
+        let speed_change = flywheel.map(|_| self.free.map_or(f64::INFINITY, |free| free.change));
         let (orbit_change, stress_change) = (self.orbit_change, self.stress_change);
         CycleState { cycles: self.cycles, part: 0.0, orbit_change, stress_change, speed_change }
     }

@@ -49,7 +49,8 @@ pub fn correction_text(correction: &Correction) -> String {
             out += &format!(", {} when corrected as told", kept(after.kept));
         }
         out += "\n";
-        if grade.kept.is_none() {
+        if [Some(grade), correction.grade_after.as_ref()].into_iter().flatten().any(|own| own.kept.is_none())
+        {
             out += COUPLE;
         }
         for table in grade_tables(grade) {

@@ -8,7 +8,7 @@ use lanchester_workshop::Grade;
 use num_complex::Complex64;
 
 /// What is said where only the bearings could judge.
-pub(super) const COUPLE: &str = "\nthe resultant is within the grade; the couple is not judged: add centre and supports to [rotor], which give each bearing its share\n";
+pub(super) const COUPLE: &str = "\nthe couple is not judged, though the resultant is within the grade: add centre and supports to [rotor], which give each bearing its share\n";
 
 /// Shares of the bearings and of the correction planes; empty ones are left out.
 pub fn grade_tables(grade: &Grade) -> Vec<Table> {

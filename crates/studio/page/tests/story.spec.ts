@@ -288,9 +288,7 @@ test("a crank builder learns what to screw onto the pins, and what the balancing
     "z of plane 2": "199.5",
     "radius of plane 2": "85",
   });
-  const warning = page.getByText(
-    "Without the centre of mass the grade is judged by the static unbalance alone",
-  );
+  const warning = page.getByText("Without the centre of mass the couple is not judged");
   await expect(warning).toBeVisible();
   await fill({ "Its centre of mass, z [mm]": "0" });
   await expect(warning).toBeHidden();

@@ -109,7 +109,7 @@ pub(crate) fn of_unbalances(
     let planes = planes(sheet, &bearings, measured)?;
     let kept = match (bearings.as_slice(), resultant) {
         ([], Some(resultant)) => {
-            let has_couple = measured.is_some_and(|all| all.len() > 1);
+            let has_couple = measured.is_some_and(|all| all.iter().any(|at| at.z != all[0].z));
             let within = resultant.norm() <= permissible;
             (!within || !has_couple).then_some(within)
         }

@@ -123,10 +123,9 @@ impl Progress {
             let change = |value: f64| {
                 if value.is_finite() { format!("{value:.1e}") } else { "not known yet".to_owned() }
             };
-            let of_speed = match state.speed_change {
-                0.0 => String::new(),
-                value => format!(", of the free speed {}", change(value)),
-            };
+            let of_speed = state
+                .speed_change
+                .map_or_else(String::new, |value| format!(", of the free speed {}", change(value)));
             eprintln!(
                 "{}: cycle {}, {:.0} %; change of orbits {}, of loads {}{of_speed}",
                 heard.name(),
