@@ -1,8 +1,9 @@
-//! Stiffness and consistent mass of one element.
+//! Stiffness, consistent mass and geometric stiffness of one element.
 //!
 //! ```text
 //! K_ij = INT lambda g_i g_j^T + mu (g_j g_i^T + (g_i . g_j) I) dV        g_i: gradient of shape function i       (book, eq. 43.2)
 //! M_ij = INT rho N_i N_j dV I                                                                                    (book, eq. 43.3)
+//! S_ij = INT g_i . sigma g_j dV I                                                                                (book, eq. 51.14)
 //! ```
 
 use super::quadrature::IntegrationPoint;
@@ -109,6 +110,49 @@ pub fn mass_matrix(
         for i in 0..count {
             for j in 0..=i {
                 let value = mass * shape.n[i] * shape.n[j];
+                for a in 0..3 {
+                    matrix.values[(3 * i + a) * size + 3 * j + a] += value;
+                }
+            }
+        }
+    }
+    mirror(matrix);
+}
+
+/// Geometric stiffness [N/m] of an element with these nodes [m] under the stress of their displacements [m].
+pub fn geometric_matrix(
+    kind: ElementKind,
+    nodes: &[[f64; 3]],
+    material: &Material,
+    displacements: &[[f64; 3]],
+    rule: &[(IntegrationPoint, ShapeValues)],
+    matrix: &mut ElementMatrix,
+) {
+    let (count, [lambda, mu]) = (kind.nodes(), material.lame());
+    clear(matrix, 3 * count);
+    let size = matrix.size;
+    for (point, shape) in rule {
+        let (determinant, g) = gradients(nodes, shape);
+        // slope[a][b]: derivative of displacement a along b.
+        let mut slope = [[0.0; 3]; 3];
+        for (u, g) in displacements.iter().zip(&g) {
+            for a in 0..3 {
+                for b in 0..3 {
+                    slope[a][b] += u[a] * g[b];
+                }
+            }
+        }
+        let pressure = lambda * (slope[0][0] + slope[1][1] + slope[2][2]);
+        let volume = point.weight * determinant;
+        let stress: [[f64; 3]; 3] = std::array::from_fn(|a| {
+            std::array::from_fn(|b| {
+                volume * (mu * (slope[a][b] + slope[b][a]) + if a == b { pressure } else { 0.0 })
+            })
+        });
+        for i in 0..count {
+            let pull: [f64; 3] = std::array::from_fn(|a| (0..3).map(|b| stress[a][b] * g[i][b]).sum());
+            for j in 0..=i {
+                let value = pull[0] * g[j][0] + pull[1] * g[j][1] + pull[2] * g[j][2];
                 for a in 0..3 {
                     matrix.values[(3 * i + a) * size + 3 * j + a] += value;
                 }

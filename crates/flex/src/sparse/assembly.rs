@@ -1,4 +1,4 @@
-//! Stiffness and mass of a mesh: the same bits for any number of threads.
+//! Stiffness, mass and geometric stiffness of a mesh: the same bits for any number of threads.
 //!
 //! Blocks of element matrices are computed in parallel; then each range of columns, in parallel, takes its entries from them in the
 //! order of the elements. So every sum has one order.
@@ -6,8 +6,8 @@
 use super::matrix::{Pattern, SymmetricMatrix};
 use super::order::{nested_dissection, postorder};
 use crate::element::{
-    ElementKind, ElementMatrix, IntegrationPoint, ShapeValues, mass_matrix, mass_rule, shape_values,
-    stiffness_matrix, stiffness_rule,
+    ElementKind, ElementMatrix, IntegrationPoint, ShapeValues, geometric_matrix, mass_matrix, mass_rule,
+    shape_values, stiffness_matrix, stiffness_rule,
 };
 use crate::mesh::Mesh;
 use rayon::prelude::*;
@@ -19,14 +19,16 @@ const BLOCK: usize = 1024;
 const RANGES: usize = 8;
 
 /// What is assembled.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Quantity {
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Quantity<'a> {
     /// Stiffness [N/m].
     Stiffness,
     /// Consistent mass [kg], exact for elements with straight edges.
     Mass,
     /// Consistent mass with the rule of the stiffness, as CalculiX has it.
     CoarseMass,
+    /// Geometric stiffness [N/m] under the stress of these displacements [m] of all nodes, with the rule of the stiffness.
+    Geometric(&'a [[f64; 3]]),
 }
 
 /// A dense symmetric term between degrees of freedom, such as a spring between means of surfaces.
@@ -130,13 +132,15 @@ impl Structure {
             .collect()
     }
 
-    /// Stiffness or mass of the mesh this is the structure of, all unknowns free.
-    pub fn assemble(&self, mesh: &Mesh, quantity: Quantity, terms: &[DenseTerm]) -> SymmetricMatrix {
+    /// A quantity of the mesh this is the structure of, all unknowns free.
+    pub fn assemble(&self, mesh: &Mesh, quantity: Quantity<'_>, terms: &[DenseTerm]) -> SymmetricMatrix {
         let rules: Vec<Vec<(IntegrationPoint, ShapeValues)>> = ElementKind::ALL
             .iter()
             .map(|kind| {
                 let rule = match quantity {
-                    Quantity::Stiffness | Quantity::CoarseMass => stiffness_rule(*kind),
+                    Quantity::Stiffness | Quantity::CoarseMass | Quantity::Geometric(_) => {
+                        stiffness_rule(*kind)
+                    }
                     Quantity::Mass => mass_rule(*kind),
                 };
                 rule.into_iter().map(|point| (point, shape_values(*kind, point.at))).collect()
@@ -154,6 +158,11 @@ impl Structure {
                     Quantity::Stiffness => stiffness_matrix(element.kind, &places, material, rule, matrix),
                     Quantity::Mass | Quantity::CoarseMass => {
                         mass_matrix(element.kind, &places, material.density, rule, matrix)
+                    }
+                    Quantity::Geometric(moved) => {
+                        let moved: Vec<[f64; 3]> =
+                            element.nodes.iter().map(|node| moved[*node as usize]).collect();
+                        geometric_matrix(element.kind, &places, material, &moved, rule, matrix);
                     }
                 }
             });

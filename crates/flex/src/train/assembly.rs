@@ -27,9 +27,9 @@ pub(super) struct Inverse {
     key: [u64; 2],
     /// A^-1.
     pub inverse: Vec<f64>,
-    /// A^-1 C^T, by ties.
+    /// A^-1 (C, Z)^T: three of each tie.
     pub images: Vec<Vec<f64>>,
-    /// C A^-1 C^T.
+    /// (C, Z) A^-1 (C, Z)^T.
     pub compliance: Vec<f64>,
 }
 
@@ -241,7 +241,7 @@ impl<'a> Assembly<'a> {
                 inverse[i * n + j] = column[i];
             }
         }
-        let rows: Vec<&Vec<f64>> = self.ties.iter().flat_map(|tie| &self.body.rows[tie.surface]).collect();
+        let rows: Vec<&Vec<f64>> = self.ties.iter().flat_map(|tie| self.rows(tie)).collect();
         let images: Vec<Vec<f64>> =
             rows.iter().map(|row| inverse.chunks(n.max(1)).map(|line| dot(line, row)).collect()).collect();
         let compliance = rows.iter().flat_map(|row| images.iter().map(|image| dot(row, image))).collect();
@@ -250,6 +250,12 @@ impl<'a> Assembly<'a> {
         }
         self.inverses.push(Inverse { key, inverse, images, compliance });
         Some(self.inverses.len() - 1)
+    }
+
+    /// Rows of displacement and rotation of a tie's surface.
+    pub(super) fn rows(&self, tie: &Tie) -> [&Vec<f64>; 3] {
+        let [x, y] = &self.body.rows[tie.surface];
+        [x, y, &self.body.turns[tie.surface]]
     }
 
     /// State of a stage for its accelerations, and the velocities into the slope.

@@ -8,6 +8,7 @@
 //! ```
 
 use super::body::CrankBody;
+use super::centrifugal::{carried_by_mains, geometric};
 use super::coupling::{BearingPlace, Coupling, turning};
 use super::stress::StressBasis;
 use crate::FlexError;
@@ -108,12 +109,14 @@ pub fn crank_basis(
         }
     }
     let mut system = StaticSystem::new_watched(mesh, &base, solve, watch)?;
+    cases.push(carried_by_mains(mesh, &base, &system, bearings, &couplings)?);
     let mut solved: Vec<Vec<[f64; 3]>> = Vec::with_capacity(cases.len());
     for block in cases.chunks(TOGETHER) {
         let solutions = system.solve(&block.iter().collect::<Vec<_>>())?;
         solved.extend(solutions.into_iter().map(|solution| solution.displacements));
     }
     drop(system);
+    let carried = solved.pop().unwrap_or_default();
     let patterns = solved.split_off(shapes);
 
     let structure = Structure::new(mesh, &[]);
@@ -154,6 +157,7 @@ pub fn crank_basis(
     let stiff: Vec<f64> = [0.0; 5].into_iter().chain(squares).collect();
     let frequencies = stiff.iter().map(|k| k.max(0.0).sqrt() / std::f64::consts::TAU).collect();
     let model = project(mesh, &[], &structure, [&stiffness, &mass], &basis, 0, frequencies);
+    let stressed = geometric(mesh, &structure, &carried, &basis);
     let fields: Vec<Vec<[f64; 3]>> = basis.iter().map(|vector| structure.scatter(vector)).collect();
     let moved: Vec<Vec<[Plane; 2]>> = couplings
         .iter()
@@ -181,11 +185,15 @@ pub fn crank_basis(
         stiffness: stiff,
         damping,
         gyroscopic: model.gyroscopic,
-        centrifugal: model.centrifugal,
+        centrifugal: model.centrifugal.iter().zip(&stressed).map(|(n, s)| n - s).collect(),
         centrifugal_load: model.centrifugal_load,
         euler_load: model.euler_load,
         polar: mass.form(&structure.gather(&across)),
         rows: rows(0),
+        turns: couplings
+            .iter()
+            .map(|coupling| fields.iter().map(|field| coupling.turn(mesh, field)).collect())
+            .collect(),
         slopes: rows(1),
         turning,
     };

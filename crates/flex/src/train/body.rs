@@ -1,8 +1,8 @@
 //! The crankshaft in few coordinates: natural modes and static shapes, orthonormal in the mass, in the frame that turns with it.
 //!
 //! ```text
-//! q'' + (D + 2 W G) q' + (K - W^2 N + W' G) q = W^2 f_c - W' f_e + SUM C^T R^T f          (book, eq. 51.4)
-//! L = q'.(f_e + G q) + W (J + 2 f_c.q + q.N q)                                           (book, eq. 51.5)
+//! q'' + (D + 2 W G) q' + (K - W^2 (N - S) + W' G) q = W^2 f_c - W' f_e + SUM (R E C)^T f  (book, eq. 51.4)
+//! L = q'.(f_e + G q) + W (J + 2 f_c.q + q.(N - S) q)                                     (book, eq. 51.5)
 //! ```
 //! `L` is the moment of momentum about the crank axis: its rate less the moments of all forces is the torque that drives.
 
@@ -20,7 +20,7 @@ pub struct CrankBody {
     pub damping: Vec<f64>,
     /// `G`, by rows: skew.
     pub gyroscopic: Vec<f64>,
-    /// `N`, by rows.
+    /// `N - S`, by rows: half its form is what deformation adds to half the inertia about the axis.
     pub centrifugal: Vec<f64>,
     /// `f_c`.
     pub centrifugal_load: Vec<f64>,
@@ -30,6 +30,8 @@ pub struct CrankBody {
     pub polar: f64,
     /// Displacement of each bearing surface in the crankshaft's frame: rows of x and y.
     pub rows: Vec<[Vec<f64>; 2]>,
+    /// Mean rotation of each bearing surface about the bar's own axis.
+    pub turns: Vec<Vec<f64>>,
     /// Slope along z of each bearing surface: rows of x and y.
     pub slopes: Vec<[Vec<f64>; 2]>,
     /// Mean rotation of the flywheel's end face.
@@ -126,6 +128,7 @@ impl CrankBody {
             euler_load: line(&self.euler_load),
             polar: self.polar,
             rows: self.rows.iter().map(pair).collect(),
+            turns: self.turns.iter().map(|row| line(row)).collect(),
             slopes: self.slopes.iter().map(pair).collect(),
             turning: line(&self.turning),
         }

@@ -119,6 +119,24 @@ impl Coupling {
         sum
     }
 
+    /// Mean rotation about the bar's own axis under displacements of all nodes.
+    pub fn turn(&self, mesh: &Mesh, displacements: &[[f64; 3]]) -> f64 {
+        let weight = |[x, y, _]: &[f64; 3]| x.hypot(*y);
+        let all: f64 = self.areas.iter().map(|(_, area)| weight(area)).sum();
+        let middle: Plane = [0, 1].map(|k| {
+            self.areas.iter().map(|(node, area)| weight(area) * mesh.nodes[*node as usize][k]).sum::<f64>()
+                / all
+        });
+        let (mut moment, mut polar) = (0.0, 0.0);
+        for (node, area) in &self.areas {
+            let ([x, y, _], [u, v, _]) = (mesh.nodes[*node as usize], displacements[*node as usize]);
+            let arm = [x - middle[0], y - middle[1]];
+            moment += weight(area) * (arm[0] * v - arm[1] * u);
+            polar += weight(area) * (arm[0] * arm[0] + arm[1] * arm[1]);
+        }
+        moment / polar
+    }
+
     /// Adds a force on the translation.
     pub fn push(&self, mut case: StaticCase, force: Plane) -> StaticCase {
         for (node, [w, _]) in &self.weights {

@@ -7,6 +7,7 @@
 mod assembly;
 mod basis;
 mod body;
+mod centrifugal;
 mod coupling;
 mod cycle;
 mod films;

@@ -23,20 +23,9 @@ pub(crate) fn times(a: &Square, v: Plane) -> Plane {
     [a[0][0] * v[0] + a[0][1] * v[1], a[1][0] * v[0] + a[1][1] * v[1]]
 }
 
-/// A^T v.
-pub(crate) fn back(a: &Square, v: Plane) -> Plane {
-    [a[0][0] * v[0] + a[1][0] * v[1], a[0][1] * v[0] + a[1][1] * v[1]]
-}
-
 /// A B.
 pub(crate) fn product(a: &Square, b: &Square) -> Square {
     [0, 1].map(|i| [0, 1].map(|j| a[i][0] * b[0][j] + a[i][1] * b[1][j]))
-}
-
-/// R^T A R.
-pub(crate) fn turned_back(r: &Square, a: &Square) -> Square {
-    let transposed = [[r[0][0], r[1][0]], [r[0][1], r[1][1]]];
-    product(&transposed, &product(a, r))
 }
 
 /// R A R^T.

@@ -1,7 +1,7 @@
 //! What a state of the train is worth: its energy, and everything about its bearings.
 
 use super::assembly::Assembly;
-use super::plane::{Plane, back, cross, plus, times};
+use super::plane::{Plane, cross, plus, times};
 use super::slider::SliderState;
 use super::ties::{Kind, linear, moving};
 use crate::sparse::dot;
@@ -117,10 +117,10 @@ impl Assembly<'_> {
             let at = moving(&self.body, tie, &turn, &frame, [q, v, k]);
             let part = linear(self.train, tie, &turn, theta, 0.0, &at, [y, slope])?;
             moments += cross(at.place, part.force);
-            let push = back(&frame, part.force);
-            let rows = &whole.rows[tie.surface];
+            let push = at.lever.back(part.force);
+            let (rows, turns) = (&whole.rows[tie.surface], &whole.turns[tie.surface]);
             for i in 0..size {
-                rest[i] -= rows[0][i] * push[0] + rows[1][i] * push[1];
+                rest[i] -= rows[0][i] * push[0] + rows[1][i] * push[1] + turns[i] * push[2];
             }
             match tie.kind {
                 Kind::Main(index) => {

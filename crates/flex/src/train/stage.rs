@@ -4,8 +4,8 @@
 //! `q = q_0 + g v`, `v = v_0 + g k`, Newton's correction of the accelerations `k` is
 //!
 //! ```text
-//! A dk = -r - c da + SUM C^T R^T df    A = 1 + g (D + 2 W G) + g^2 (K - W^2 N)    df = J w + h    w = C dk + e_z x p da
-//! (1 - H J) w = C A^-1 (C^T h - r - c da) + e_z x p da    H = C A^-1 C^T    dk = A^-1 (-r - c da + C^T (h + J w))      (book, eq. 51.7)
+//! A dk = -r - c da + SUM L^T df    A = 1 + g (D + 2 W G) + g^2 (K - W^2 (N - S))    df = J w + h    w = L dk + e_z x p da    L = R E (C, Z)
+//! (1 - H J) w = L A^-1 (L^T h - r - c da) + e_z x p da    H = L A^-1 L^T    dk = A^-1 (-r - c da + L^T (h + J w))      (book, eq. 51.7)
 //! ```
 //! `A` is inverted once for each length of step. A big end with a law of its own is eliminated within its tie: `J` and `h` hold its inertia.
 //!
@@ -15,12 +15,12 @@
 //! ```text
 //! (J_f + i^2 dT/da) da = T_L - J_f a - i T                                                                              (book, eq. 51.12)
 //! ```
-//! What a turn of the frame does to the direction of forces and to the gas is left out of the derivatives: shares of (g W)^2 of what is in.
+//! What a turn of the frame does to the direction of forces and to the gas, and a correction to `E` of a pin, is left out of the derivatives: shares of (g W)^2 of what is in.
 
 use super::assembly::{Assembly, Inverse};
 use super::law::TrainLaw;
 use super::motion::Turn;
-use super::plane::{Plane, QUARTER, Square, back, cross, length, plus, times, turn, turned_back};
+use super::plane::{Plane, QUARTER, cross, length, plus, times, turn};
 use super::ties::{Kind, Linear, Moving, linear, moving};
 use crate::sparse::dot;
 use lanchester_numerics::Lu;
@@ -35,7 +35,6 @@ const KEPT: f64 = 0.2;
 /// A state of a stage, where its ties are and what they do there.
 struct Trial {
     turn: Turn,
-    frame: Square,
     ties: Vec<(Linear, Moving)>,
 }
 
@@ -53,7 +52,7 @@ struct Correction {
 struct BodyTerms {
     /// r without ties.
     rest: Vec<f64>,
-    /// G v, f_c + N q, f_e + G q.
+    /// G v, f_c + (N - S) q, f_e + G q.
     coriolis: Vec<f64>,
     centrifugal: Vec<f64>,
     euler: Vec<f64>,
@@ -62,8 +61,6 @@ struct BodyTerms {
 /// The ties' own equations.
 struct Condensed<'a> {
     own: &'a Inverse,
-    /// J in the crankshaft's frame.
-    jacobian: Vec<Square>,
     /// Of 1 - H J.
     factors: Lu<f64>,
 }
@@ -133,7 +130,7 @@ impl Assembly<'_> {
             let at = moving(&self.body, tie, &own, &frame, [q, v, &slope[n..2 * n]]);
             Some((linear(self.train, tie, &own, first.angle, g, &at, [y, slope])?, at))
         });
-        Some(Trial { ties: ties.collect::<Option<_>>()?, turn: own, frame })
+        Some(Trial { ties: ties.collect::<Option<_>>()?, turn: own })
     }
 
     fn body_terms(&self, turn: &Turn, y: &[f64], k: &[f64]) -> BodyTerms {
@@ -163,19 +160,19 @@ impl Assembly<'_> {
         trial: &Trial,
     ) -> Option<Correction> {
         let n = self.size;
-        let Trial { turn, frame, ties, .. } = trial;
+        let Trial { turn, ties } = trial;
         let terms = self.body_terms(turn, y, &slope[n..2 * n]);
         let condensed = self.condensed(&self.inverses[place], trial)?;
         let mut load: Vec<f64> = terms.rest.iter().map(|rest| -rest).collect();
-        for (tie, (part, _)) in self.ties.iter().zip(ties) {
-            let rows = &self.body.rows[tie.surface];
+        for (tie, (part, at)) in self.ties.iter().zip(ties) {
+            let rows = self.rows(tie);
             // Into the residual go the force and the constant of the correction at once.
-            let push = back(frame, plus(part.force, 1.0, part.constant));
+            let push = at.lever.back(plus(part.force, 1.0, part.constant));
             for (i, load) in load.iter_mut().enumerate() {
-                *load += rows[0][i] * push[0] + rows[1][i] * push[1];
+                *load += rows[0][i] * push[0] + rows[1][i] * push[1] + rows[2][i] * push[2];
             }
         }
-        let (mut change, mut moved) = self.solve(&condensed, frame, &load, |_| [0.0; 2]);
+        let (mut change, mut moved) = self.solve(&condensed, trial, &load, |_| [0.0; 2]);
         let Some(wheel) = self.turning() else {
             return Some(Correction { change, turning: 0.0, ties: moved });
         };
@@ -199,29 +196,33 @@ impl Assembly<'_> {
         Some(Correction { change, turning, ties: moved })
     }
 
-    /// `1 - H J` of all ties, and J.
+    /// `1 - H J` of all ties.
     fn condensed<'a>(&self, own: &'a Inverse, trial: &Trial) -> Option<Condensed<'a>> {
         let m = 2 * self.ties.len();
-        let jacobian: Vec<Square> =
-            trial.ties.iter().map(|(part, _)| turned_back(&trial.frame, &part.slope)).collect();
         let mut small = vec![0.0; m * m];
-        for row in 0..m {
-            for (tie, j) in jacobian.iter().enumerate() {
-                let h = [own.compliance[row * m + 2 * tie], own.compliance[row * m + 2 * tie + 1]];
-                let entry = back(j, h);
-                small[row * m + 2 * tie] = -entry[0];
-                small[row * m + 2 * tie + 1] = -entry[1];
+        for (row, (_, to)) in trial.ties.iter().enumerate() {
+            for (column, (part, from)) in trial.ties.iter().enumerate() {
+                let entry =
+                    |r: usize, s: usize| own.compliance[(3 * row + r) * 3 * self.ties.len() + 3 * column + s];
+                // Columns of the compliance between both surfaces, seen at the middle of the first.
+                let seen = [0, 1, 2].map(|s| to.lever.times([entry(0, s), entry(1, s), entry(2, s)]));
+                for axis in 0..2 {
+                    let h = from.lever.times([seen[0][axis], seen[1][axis], seen[2][axis]]);
+                    let at = (2 * row + axis) * m + 2 * column;
+                    small[at] = -(h[0] * part.slope[0][0] + h[1] * part.slope[1][0]);
+                    small[at + 1] = -(h[0] * part.slope[0][1] + h[1] * part.slope[1][1]);
+                }
             }
-            small[row * (m + 1)] += 1.0;
         }
-        Some(Condensed { own, jacobian, factors: Lu::new(m, small).ok()? })
+        (0..m).for_each(|k| small[k * (m + 1)] += 1.0);
+        Some(Condensed { own, factors: Lu::new(m, small).ok()? })
     }
 
-    /// `dk`, and `w` in the block's frame, under a load on the coordinates and with accelerations of the ties beside `C dk`, in the crankshaft's frame.
+    /// `dk` and `w` under a load on the coordinates and with accelerations of the ties beside `L dk`.
     fn solve(
         &self,
         condensed: &Condensed<'_>,
-        frame: &Square,
+        trial: &Trial,
         load: &[f64],
         beside: impl Fn(usize) -> Plane,
     ) -> (Vec<f64>, Vec<Plane>) {
@@ -229,20 +230,19 @@ impl Assembly<'_> {
         let mut change: Vec<f64> =
             own.inverse.chunks(load.len().max(1)).map(|line| dot(line, load)).collect();
         let mut w = Vec::with_capacity(2 * self.ties.len());
-        for (index, tie) in self.ties.iter().enumerate() {
-            let beside = beside(index);
-            let rows = &self.body.rows[tie.surface];
-            w.extend([0, 1].map(|axis| dot(&rows[axis], &change) + beside[axis]));
+        for (index, (tie, (_, at))) in self.ties.iter().zip(&trial.ties).enumerate() {
+            let moved = at.lever.times(self.rows(tie).map(|row| dot(row, &change)));
+            w.extend(plus(moved, 1.0, beside(index)));
         }
         condensed.factors.solve(&mut w);
-        for (tie, j) in condensed.jacobian.iter().enumerate() {
-            let push = times(j, [w[2 * tie], w[2 * tie + 1]]);
-            for (axis, push) in push.iter().enumerate() {
-                let image = &own.images[2 * tie + axis];
+        let moved: Vec<Plane> = w.chunks(2).map(|w| [w[0], w[1]]).collect();
+        for (tie, ((part, at), w)) in trial.ties.iter().zip(&moved).enumerate() {
+            let push = at.lever.back(times(&part.slope, *w));
+            for (image, push) in own.images[3 * tie..].iter().zip(push).filter(|(_, push)| *push != 0.0) {
                 change.iter_mut().zip(image).for_each(|(to, from)| *to += push * from);
             }
         }
-        (change, w.chunks(2).map(|w| times(frame, [w[0], w[1]])).collect())
+        (change, moved)
     }
 
     /// What a unit of this crankshaft's angular acceleration changes.
@@ -258,8 +258,8 @@ impl Assembly<'_> {
         let load: Vec<f64> = (0..n)
             .map(|i| -terms.euler[i] - 2.0 * g * (terms.coriolis[i] - w * terms.centrifugal[i]))
             .collect();
-        let across = |tie: usize| back(&trial.frame, times(&QUARTER, trial.ties[tie].1.place));
-        let (change, moved) = self.solve(condensed, &trial.frame, &load, across);
+        let across = |tie: usize| times(&QUARTER, trial.ties[tie].1.place);
+        let (change, moved) = self.solve(condensed, trial, &load, across);
         let torque = self.polar(y, terms)
             + 2.0 * g * dot(&y[n..2 * n], &terms.centrifugal)
             + self.torque_of(g, trial, terms, &change, &moved);
@@ -358,6 +358,7 @@ mod tests {
             euler_load: row(47).iter().map(|own| 0.05 * own).collect(),
             polar: 0.004,
             rows: (0..4).map(|k| [row(60 + 2 * k), row(61 + 2 * k)]).collect(),
+            turns: (0..4).map(|k| row(74 + k)).collect(),
             slopes: vec![[vec![0.0; n], vec![0.0; n]]; 4],
             turning: row(90),
         };

@@ -1,4 +1,10 @@
 //! Ties between the crankshaft and its bearings: motion, force, and how the force follows the crankshaft's acceleration within a stage.
+//!
+//! A pin `p` off the axis turns about it with the shaft, by the rotation `chi` of its surface: to second order it stays on its circle.
+//!
+//! ```text
+//! u = C q - chi^2 p/2    chi = Z q    w = E (C, Z) q'    E = (1, -chi p)                                               (book, eq. 51.15)
+//! ```
 
 use super::body::CrankBody;
 use super::motion::Turn;
@@ -30,6 +36,25 @@ pub(super) struct Moving {
     pub place: Plane,
     pub velocity: Plane,
     pub acceleration: Plane,
+    /// `R E`.
+    pub lever: Lever,
+}
+
+/// From changes of displacement and rotation of a surface, in the crankshaft's frame, to that of its middle in the block's frame.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Lever(pub [[f64; 3]; 2]);
+
+impl Lever {
+    /// Change of the middle.
+    pub fn times(&self, [x, y, turn]: [f64; 3]) -> Plane {
+        self.0.map(|[a, b, c]| a * x + b * y + c * turn)
+    }
+
+    /// Forces on displacement and rotation of a force at the middle.
+    pub fn back(&self, [x, y]: Plane) -> [f64; 3] {
+        let [a, b] = self.0;
+        std::array::from_fn(|k| a[k] * x + b[k] * y)
+    }
 }
 
 /// A tie within an iteration.
@@ -52,6 +77,8 @@ pub(super) fn moving(
 ) -> Moving {
     let rows = &body.rows[tie.surface];
     let [u, rate, second] = [q, v, k].map(|vector| [dot(&rows[0], vector), dot(&rows[1], vector)]);
+    let turns = [q, v, k].map(|vector| dot(&body.turns[tie.surface], vector));
+    let [u, rate, second] = on_its_circle(tie.centre, [u, rate, second], turns);
     let at = plus(tie.centre, 1.0, u);
     let turned = times(&QUARTER, at);
     let velocity = plus(rate, turn.speed, turned);
@@ -60,11 +87,26 @@ pub(super) fn moving(
         -turn.speed * turn.speed,
         at,
     );
+    let inwards = times(frame, tie.centre).map(|p| -turns[0] * p);
     Moving {
         place: times(frame, at),
         velocity: times(frame, velocity),
         acceleration: times(frame, acceleration),
+        lever: Lever([0, 1].map(|k| [frame[k][0], frame[k][1], inwards[k]])),
     }
+}
+
+/// Displacement, rate and second derivative of a pin at `p` that turns about the axis, from straight ones and from its rotation.
+fn on_its_circle(
+    p: Plane,
+    [u, rate, second]: [Plane; 3],
+    [turn, turn_rate, turn_second]: [f64; 3],
+) -> [Plane; 3] {
+    [
+        plus(u, -0.5 * turn * turn, p),
+        plus(rate, -turn * turn_rate, p),
+        plus(second, -(turn * turn_second + turn_rate * turn_rate), p),
+    ]
 }
 
 /// Force of a tie and its linear part for changes of the crankshaft's acceleration in the block's frame.
@@ -139,5 +181,50 @@ pub(super) fn linear(
             let constant = times(&end, shift).map(|v| -v);
             Some(Linear { force: law.force, slope, constant, big_end: (shift, follow) })
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::train::plane::{length, turn};
+
+    #[test]
+    fn a_pin_that_turns_about_the_axis_keeps_its_distance() {
+        let p = [0.03, -0.04];
+        for angle in [1e-3, 1e-2] {
+            let along = times(&QUARTER, p).map(|part| angle * part);
+            let [u, ..] = on_its_circle(p, [along, [0.0; 2], [0.0; 2]], [angle, 0.0, 0.0]);
+            let left = plus(plus(p, 1.0, u), -1.0, times(&turn(angle), p));
+            // Third order is left: angle^3/6 across, angle^4/24 along.
+            assert!(length(left) < 0.2 * angle.powi(3) * 0.05, "{angle}: {left:?}");
+        }
+    }
+
+    #[test]
+    fn rates_on_the_circle_are_those_of_differences() {
+        let p = [0.02, 0.05];
+        // Displacement and rotation over time, of any shape, with two derivatives.
+        let [straight, turns]: [&dyn Fn(f64) -> [[f64; 3]; 3]; 2] = [
+            &|t| {
+                let (sin, cos) = (3.0 * t).sin_cos();
+                [
+                    [1e-3 * sin, 8e-4 * cos, 0.0],
+                    [3e-3 * cos, -2.4e-3 * sin, 0.0],
+                    [-9e-3 * sin, -7.2e-3 * cos, 0.0],
+                ]
+            },
+            &|t| {
+                let (sin, cos) = (2.0 * t).sin_cos();
+                [[0.01 * sin, 0.0, 0.0], [0.02 * cos, 0.0, 0.0], [-0.04 * sin, 0.0, 0.0]]
+            },
+        ];
+        let at =
+            |t: f64| on_its_circle(p, straight(t).map(|[x, y, _]| [x, y]), turns(t).map(|[turn, ..]| turn));
+        let (t, h) = (0.37, 1e-4);
+        let ([_, v, k], [before, v_before, _], [after, v_after, _]) = (at(t), at(t - h), at(t + h));
+        let central = |a: Plane, b: Plane| [0, 1].map(|i| (b[i] - a[i]) / (2.0 * h));
+        assert!(length(plus(v, -1.0, central(before, after))) < 1e-7 * length(v));
+        assert!(length(plus(k, -1.0, central(v_before, v_after))) < 1e-7 * length(k));
     }
 }

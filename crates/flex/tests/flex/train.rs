@@ -3,7 +3,7 @@
 mod free;
 
 use lanchester_film::{Cavitation, FilmTable, JournalBearing, JournalMotion};
-use lanchester_flex::crank_mesh::CrankMesh;
+use lanchester_flex::crank_mesh::{CrankMesh, CrankMeshOptions, crank_mesh};
 use lanchester_flex::element::ElementKind;
 use lanchester_flex::mesh::{NodeSet, mapped_block, quality};
 use lanchester_flex::train::{
@@ -187,7 +187,13 @@ fn pusher(samples: Vec<f64>, law: TrainLaw) -> TrainCylinder {
     }
 }
 
-fn train(body: CrankBody, mains: TrainLaw, cylinder: TrainCylinder) -> CrankTrain {
+/// A train whose pin is held by a stiff arm on the surface of the body.
+fn train(mut body: CrankBody, mains: TrainLaw, cylinder: TrainCylinder) -> CrankTrain {
+    let (turn, [x, y]) = (&body.turns[cylinder.surface], &mut body.rows[cylinder.surface]);
+    for (k, turn) in turn.iter().enumerate() {
+        x[k] -= cylinder.pin[1] * turn;
+        y[k] += cylinder.pin[0] * turn;
+    }
     let main = |k: usize| TrainMain { number: k + 1, surface: k, law: mains.clone() };
     CrankTrain {
         body,
@@ -392,4 +398,69 @@ fn a_run_that_is_stopped_leaves_its_last_whole_cycle() {
     assert_eq!(found.recorded[0].instants.len(), 96 / 8);
     let at_once = run_cycles_watched(&own, options(), &|_| false).unwrap();
     assert!(at_once.outcome == CycleOutcome::Stopped && at_once.recorded.is_empty());
+}
+
+/// `q.(N - S) q`.
+fn centrifugal(body: &CrankBody, q: &[f64]) -> f64 {
+    let rows = body.centrifugal.chunks(body.size()).zip(q);
+    rows.map(|(row, own)| own * row.iter().zip(q).map(|(n, q)| n * q).sum::<f64>()).sum()
+}
+
+#[test]
+fn a_turning_shaft_is_stiffened_by_its_centrifugal_stress() {
+    let (body, _) = body();
+    let n = body.size();
+    // Rotation about the axis changes no distance from it; the straight displacements of N alone would: q.N q = J.
+    assert!(centrifugal(body, &body.euler_load).abs() < 1e-7 * body.polar, "{}", body.polar);
+    // Tilt about x through the middle: the inertia about z grows by that of z^2 less that of y^2 (rigid, to second order).
+    let rows: Vec<&Vec<f64>> = body.rows[..2].iter().flatten().chain([&body.turning]).collect();
+    let factors = Lu::new(5, rows.iter().flat_map(|row| row[..5].to_vec()).collect()).unwrap();
+    let arm = 0.5 * LENGTH - 0.04;
+    let mut q = vec![0.0, arm, 0.0, -arm, 0.0];
+    factors.solve(&mut q);
+    q.resize(n, 0.0);
+    let wanted = shaft().quality.mass * LENGTH * LENGTH / 12.0 - 0.5 * body.polar;
+    let got = centrifugal(body, &q);
+    assert!((got / wanted - 1.0).abs() < 1e-6, "{got} {wanted}");
+    // Of the twist, whose N is 1, the stress along a long turning cylinder, nu/(4 (1 - nu)) rho W^2 (R^2 - 2 r^2), leaves this.
+    let twist = (5..n).max_by(|a, b| body.turning[*a].abs().total_cmp(&body.turning[*b].abs())).unwrap();
+    let steel = Material::steel();
+    let shear = steel.youngs_modulus / (2.0 * (1.0 + steel.poisson_ratio));
+    let wave = body.stiffness[twist] * steel.density / shear;
+    let wanted = steel.poisson_ratio / (12.0 * (1.0 - steel.poisson_ratio)) * RADIUS * RADIUS * wave;
+    let got = body.centrifugal[twist * (n + 1)];
+    // One element through the radius has a stress that falls with r^2 to a quarter.
+    assert!((got / wanted - 1.0).abs() < 0.3 && wanted < 0.01, "{got} {wanted}");
+}
+
+#[test]
+fn a_crankshaft_that_turns_stays_as_far_from_its_axis_as_it_is() {
+    let engine = crate::crank::one_throw("");
+    let options = CrankMeshOptions { size: 24e-3, fillet_elements: 2, fillets: true };
+    let crank = crank_mesh(&engine, 0, options).unwrap();
+    let place = |name: &str| {
+        let set = crank.mesh.sets.iter().find(|set| set.name == name).unwrap();
+        let z = set.nodes.iter().map(|node| crank.mesh.nodes[*node as usize][2]);
+        let [low, high] = z.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], z| [a.min(z), b.max(z)]);
+        BearingPlace {
+            name: name.to_owned(),
+            set: name.to_owned(),
+            z: 0.5 * (low + high),
+            width: 0.8 * (high - low),
+        }
+    };
+    let places = ["MAIN_1", "MAIN_2", "PIN_1"].map(place);
+    let basis = crank_basis(&crank, &places, BasisOptions { modes: 12, ..BasisOptions::default() }, &|_| {});
+    let body = basis.unwrap().body;
+    let got = centrifugal(&body, &body.euler_load);
+    // The mains carry the throw: their forces have no moment about the axis however it is turned, but for facets of their surfaces.
+    assert!(got.abs() < 3e-5 * body.polar, "{got} {}", body.polar);
+    // A rotation moves the pin along its circle: its straight displacement is its arm times that of its surface.
+    let moved = |row: &[f64]| row.iter().zip(&body.euler_load).map(|(c, q)| c * q).sum::<f64>();
+    let arm = 0.5 * 95.5e-3;
+    let along = [moved(&body.rows[2][0]), moved(&body.rows[2][1]), moved(&body.turns[2])];
+    assert!(
+        (along[0].hypot(along[1]) / arm - 1.0).abs() < 2e-3 && (along[2] - 1.0).abs() < 1e-6,
+        "{along:?}"
+    );
 }

@@ -161,7 +161,7 @@ pub fn crank_cycle(
 fn left_out(engine: &Engine, request: &CycleRequest, unmeshed: &[String]) -> Vec<String> {
     let (damping, source) = request::damping(request, engine);
     let mut notes = vec![format!(
-        "Left out: gravity, friction couples, tilt and axial motion of rods, motion of the crankshaft along its axis, stiffening by centrifugal stress, tilt of journals in the law of \
+        "Left out: gravity, friction couples, tilt and axial motion of rods, motion of the crankshaft along its axis, tilt of journals in the law of \
          the film, deformation of shells and block. Material: {} % of critical damping in every mode, {source}.",
         100.0 * damping
     )];
