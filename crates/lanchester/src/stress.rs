@@ -21,6 +21,7 @@ pub(crate) mod surface;
 pub(crate) mod throw_shape;
 pub(crate) mod throws;
 pub(crate) mod unit_fields;
+pub(crate) mod worst_point;
 
 pub use converge::{converged_modes, converged_stress};
 pub use cycle::{CycleRequest, CycleStage, crank_cycle};

@@ -16,8 +16,8 @@ pub use convergence::{ConvergedNumber, Convergence, ConvergenceMesh};
 pub use cycle::*;
 pub use deck::{DECK_VERSION, SolvedDeck, SolvedStep, StaticStep, deck_csv, deck_text};
 pub use fatigue::{
-    CRANK_FATIGUE_VERSION, CrankFatigue, FatigueAtSpeed, FatigueFactors, FilletFatigue, fatigue_csv,
-    fatigue_text,
+    CRANK_FATIGUE_VERSION, CrankFatigue, FatigueAtSpeed, FatigueFactors, FatigueMeasure, FilletFatigue,
+    fatigue_csv, fatigue_text,
 };
 pub use modes::{CrankModes, MODES_VERSION, modes_csv, modes_text};
 pub use reduced::{REDUCED_VERSION, ReducedCrank, reduced_csv, reduced_text};

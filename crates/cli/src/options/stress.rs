@@ -274,6 +274,20 @@ pub struct ReduceArguments {
     pub printed: PrintedArguments,
 }
 
+/// What lowers the fatigue limits of polished specimens.
+#[derive(Debug, Args)]
+pub struct FactorArguments {
+    /// Factor of the surface's finish on the fatigue limits of polished specimens.
+    #[arg(long, value_name = "FACTOR", default_value = "1")]
+    pub surface_factor: f64,
+    /// Factor of the body's size on them.
+    #[arg(long, value_name = "FACTOR", default_value = "1")]
+    pub size_factor: f64,
+    /// Factor of the stress gradient on them.
+    #[arg(long, value_name = "FACTOR", default_value = "1")]
+    pub gradient_factor: f64,
+}
+
 /// `stress fatigue`
 #[derive(Debug, Args)]
 pub struct FatigueArguments {
@@ -292,15 +306,9 @@ pub struct FatigueArguments {
     /// Instants of a revolution.
     #[arg(long, value_name = "N", default_value_t = 72, value_parser = clap::value_parser!(u32).range(8..=1440))]
     pub instants: u32,
-    /// Factor of the surface's finish on the fatigue limits of polished specimens.
-    #[arg(long, value_name = "FACTOR", default_value = "1")]
-    pub surface_factor: f64,
-    /// Factor of the body's size on them.
-    #[arg(long, value_name = "FACTOR", default_value = "1")]
-    pub size_factor: f64,
-    /// Factor of the stress gradient on them.
-    #[arg(long, value_name = "FACTOR", default_value = "1")]
-    pub gradient_factor: f64,
+    /// What lowers the fatigue limits.
+    #[command(flatten)]
+    pub factors: FactorArguments,
     /// Least safety that is wanted, of all stress and of its amplitude.
     #[arg(long, value_name = "SAFETY", default_value = "1")]
     pub safety: f64,
@@ -348,6 +356,12 @@ pub struct CycleArguments {
     /// Least static safety that is wanted: yield strength over the largest stress of all laws.
     #[arg(long, value_name = "SAFETY")]
     pub safety: Option<f64>,
+    /// Least safety against fatigue that is wanted, of all stress and of its amplitude, with every law.
+    #[arg(long, value_name = "SAFETY")]
+    pub fatigue_safety: Option<f64>,
+    /// What lowers the fatigue limits.
+    #[command(flatten)]
+    pub factors: FactorArguments,
     /// Least film that is wanted, with its unit.
     #[arg(long, value_name = "LENGTH")]
     pub least_film: Option<String>,

@@ -2,8 +2,8 @@
 
 use crate::failure::Failure;
 use crate::options::stress::{
-    CycleArguments, FatigueArguments, LawOption, LoadArguments, MeshArguments, RuleArguments,
-    SupportArguments, SupportOption,
+    CycleArguments, FactorArguments, FatigueArguments, LawOption, LoadArguments, MeshArguments,
+    RuleArguments, SupportArguments, SupportOption,
 };
 use crate::trace_files::read_mesh;
 use lanchester::file::EngineFile;
@@ -38,29 +38,34 @@ fn crankshaft(number: usize) -> Result<usize, Failure> {
     })
 }
 
+fn above_zero(value: f64, name: &str) -> Result<f64, Failure> {
+    if value > 0.0 && value.is_finite() {
+        return Ok(value);
+    }
+    Err(Failure::input(
+        format_args!("{name} needs a number above 0, got {value}"),
+        "1 leaves things as they are",
+    ))
+}
+
+fn factors(own: &FactorArguments) -> Result<FatigueFactors, Failure> {
+    Ok(FatigueFactors {
+        surface: above_zero(own.surface_factor, "--surface-factor")?,
+        size: above_zero(own.size_factor, "--size-factor")?,
+        gradient: above_zero(own.gradient_factor, "--gradient-factor")?,
+    })
+}
+
 /// What is asked of fatigue.
 pub fn fatigue_request(own: &FatigueArguments, file: &EngineFile) -> Result<FatigueRequest, Failure> {
     let speed = |text: &String| option::speed(text, "--speed").map_err(Failure::from);
-    let above_zero = |value: f64, name: &str| {
-        if value > 0.0 && value.is_finite() {
-            return Ok(value);
-        }
-        Err(Failure::input(
-            format_args!("{name} needs a number above 0, got {value}"),
-            "1 leaves things as they are",
-        ))
-    };
     above_zero(own.safety, "--safety")?;
     Ok(FatigueRequest {
         mesh: mesh(&own.mesh, file, 6)?,
         support: support(&own.support, CrankSupport::Journals)?,
         speeds: own.speed.iter().map(speed).collect::<Result<_, _>>()?,
         gas: !own.inertia_only,
-        factors: FatigueFactors {
-            surface: above_zero(own.surface_factor, "--surface-factor")?,
-            size: above_zero(own.size_factor, "--size-factor")?,
-            gradient: above_zero(own.gradient_factor, "--gradient-factor")?,
-        },
+        factors: factors(&own.factors)?,
         instants: own.instants as usize,
         solve: solve_options(&own.mesh)?,
     })
@@ -93,6 +98,7 @@ pub fn cycle_request(own: &CycleArguments, file: &EngineFile) -> Result<CycleReq
             "crankshafts of steel have 0.005 to 0.02",
         ));
     }
+    own.fatigue_safety.map(|safety| above_zero(safety, "--fatigue-safety")).transpose()?;
     Ok(CycleRequest {
         mesh: mesh(&own.mesh, file, 6)?,
         laws,
@@ -108,6 +114,7 @@ pub fn cycle_request(own: &CycleArguments, file: &EngineFile) -> Result<CycleReq
         damping: own.damping,
         instants: own.instants as usize,
         most_cycles: own.cycles as usize,
+        factors: factors(&own.factors)?,
     })
 }
 

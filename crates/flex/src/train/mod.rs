@@ -38,4 +38,4 @@ pub use parts::{CrankTrain, TrainCylinder, TrainMain};
 pub use plane::{Plane, Square};
 pub use slider::Slider;
 pub use snapshot::CycleInstant;
-pub use stress::{FilletCycle, StressBasis, StressInstant};
+pub use stress::{FilletCycle, FilletNodes, StressBasis, StressInstant};

@@ -128,57 +128,86 @@ impl StressBasis {
         self.places.len()
     }
 
-    /// Stress tensor of a node at an instant.
-    fn state(&self, node: usize, factors: &[f64]) -> Stress {
-        let mut sum = [0.0; 6];
-        for (own, factor) in self.states[node].iter().zip(factors) {
-            for (sum, own) in sum.iter_mut().zip(own) {
-                *sum += factor * own;
-            }
-        }
-        Stress(sum)
-    }
-
-    /// Peaks of all fillets over the instants of a cycle.
-    pub fn over_cycle(&self, instants: &[StressInstant]) -> Vec<FilletCycle> {
+    /// What `judge` says of every fillet over the instants of a cycle, in parallel.
+    pub fn each_fillet<T: Send>(
+        &self,
+        instants: &[StressInstant],
+        judge: impl Fn(&FilletNodes<'_>) -> T + Sync,
+    ) -> Vec<T> {
         let factors: Vec<Vec<f64>> = instants.iter().map(StressInstant::factors).collect();
         // By column, so that the inner loop runs over instants.
         let columns = factors.first().map_or(0, Vec::len);
         let by_column: Vec<Vec<f64>> =
             (0..columns).map(|column| factors.iter().map(|own| own[column]).collect()).collect();
-        let fillet = |fillet: &BasisFillet| {
-            let mut largest = vec![(0.0f64, 0usize); instants.len()];
-            let mut sums: [Vec<f64>; 6] = std::array::from_fn(|_| vec![0.0; instants.len()]);
-            for node in &fillet.nodes {
-                for (component, sum) in sums.iter_mut().enumerate() {
-                    sum.fill(0.0);
-                    for (state, factors) in self.states[*node].iter().zip(&by_column) {
-                        let own = state[component];
-                        sum.iter_mut().zip(factors).for_each(|(sum, factor)| *sum += own * factor);
-                    }
-                }
-                for (instant, best) in largest.iter_mut().enumerate() {
-                    let value = Stress(std::array::from_fn(|c| sums[c][instant])).von_mises();
-                    if value > best.0 {
-                        *best = (value, *node);
-                    }
+        let of = |fillet| FilletNodes { basis: self, fillet, by_column: &by_column, count: instants.len() };
+        self.fillets.par_iter().map(|fillet| judge(&of(fillet))).collect()
+    }
+
+    /// Peaks of all fillets over the instants of a cycle.
+    pub fn over_cycle(&self, instants: &[StressInstant]) -> Vec<FilletCycle> {
+        self.each_fillet(instants, |fillet| fillet.cycle(|_, _| {}))
+    }
+}
+
+/// The nodes of a fillet with their stress over the cycle.
+#[derive(Debug, Clone, Copy)]
+pub struct FilletNodes<'a> {
+    basis: &'a StressBasis,
+    fillet: &'a BasisFillet,
+    by_column: &'a [Vec<f64>],
+    /// Instants.
+    count: usize,
+}
+
+impl FilletNodes<'_> {
+    /// Place of a node [m] and its angle about the middle of the bar [rad].
+    pub fn place(&self, node: usize) -> ([f64; 3], f64) {
+        let at = self.basis.places[self.fillet.nodes[node]];
+        (at, (at[1] - self.fillet.centre[1]).atan2(at[0] - self.fillet.centre[0]))
+    }
+
+    /// Stress of a node at every instant: xx, yy, zz, xy, yz, zx [Pa].
+    pub fn history(&self, node: usize) -> Vec<[f64; 6]> {
+        let states = &self.basis.states[self.fillet.nodes[node]];
+        let mut sum = vec![0.0; self.count];
+        let mut history = vec![[0.0; 6]; self.count];
+        for component in 0..6 {
+            sum.fill(0.0);
+            for (state, factors) in states.iter().zip(self.by_column) {
+                let own = state[component];
+                sum.iter_mut().zip(factors).for_each(|(sum, factor)| *sum += own * factor);
+            }
+            history.iter_mut().zip(&sum).for_each(|(state, sum)| state[component] = *sum);
+        }
+        history
+    }
+
+    /// The largest stress; `see` sees the history of every node in turn.
+    pub fn cycle(&self, mut see: impl FnMut(usize, &[[f64; 6]])) -> FilletCycle {
+        let mut over_cycle = vec![0.0f64; self.count];
+        let (mut peak, mut instant, mut node, mut principal) = (0.0, 0, 0, 0.0);
+        for own in 0..self.fillet.nodes.len() {
+            let history = self.history(own);
+            for (k, (state, most)) in history.iter().zip(&mut over_cycle).enumerate() {
+                let value = Stress(*state).von_mises();
+                *most = most.max(value);
+                if value > peak {
+                    (peak, instant, node) = (value, k, own);
+                    principal = Stress(*state).dominant();
                 }
             }
-            let instant =
-                (0..largest.len()).max_by(|a, b| largest[*a].0.total_cmp(&largest[*b].0)).unwrap_or(0);
-            let (peak, node) = largest.get(instant).copied().unwrap_or_default();
-            let at = self.places.get(node).copied().unwrap_or_default();
-            FilletCycle {
-                name: fillet.name.clone(),
-                radius: fillet.radius,
-                peak,
-                principal: factors.get(instant).map_or(0.0, |own| self.state(node, own).dominant()),
-                instant,
-                at,
-                angle: (at[1] - fillet.centre[1]).atan2(at[0] - fillet.centre[0]),
-                over_cycle: largest.iter().map(|own| own.0).collect(),
-            }
-        };
-        self.fillets.par_iter().map(fillet).collect()
+            see(own, &history);
+        }
+        let (at, angle) = self.place(node);
+        FilletCycle {
+            name: self.fillet.name.clone(),
+            radius: self.fillet.radius,
+            peak,
+            principal,
+            instant,
+            at,
+            angle,
+            over_cycle,
+        }
     }
 }

@@ -9,6 +9,7 @@ pub(crate) mod train;
 
 use crate::pressure::cylinders::{CylinderCycle, GasReport, cylinder_gas};
 use crate::pressure::measured::TraceFile;
+use crate::stress::fatigue::fatigue_measure;
 use crate::stress::request::{StressError, StressStage};
 use crate::stress::run::{check_crankshaft, sheet};
 use free::{free_start, run_law};
@@ -18,7 +19,7 @@ use lanchester_model::Engine;
 use lanchester_report::{CRANK_CYCLE_VERSION, CrankCycle, CrankKind, CycleLaw, CycleRun};
 use laws::BearingLaws;
 pub use request::CycleRequest;
-use results::cycle_run;
+use results::{FilletStress, cycle_run};
 use rules::main_rules;
 use std::f64::consts::TAU;
 use train::{Composed, bearing_places, gas_force};
@@ -69,6 +70,8 @@ pub fn crank_cycle(
     // What may be refused at once is, before the mesh.
     let places = bearing_places(engine, request.mesh.crankshaft)?;
     let laws = BearingLaws::new(engine, &loads, &places, &request.laws, &mut notes)?;
+    let measure = fatigue_measure(engine, request.factors)?;
+    let yielding = engine.crank_material.unwrap_or_default().yield_strength();
     let free = free_start(engine, cylinders, request, speed, loads.period)?;
     let mesh_watch = |stage| {
         watch(CycleStage::Mesh(stage));
@@ -112,7 +115,11 @@ pub fn crank_cycle(
             let run_watch = |state: CycleState| watch(CycleStage::Running { law: *law, crank: *kind, state });
             let found = run_law(train, free.as_ref(), options, &run_watch)?;
             stopped = found.stopped();
-            let stress = (*kind == CrankKind::Flexible).then_some(&basis.stress);
+            let stress = (*kind == CrankKind::Flexible).then_some(FilletStress {
+                basis: &basis.stress,
+                findley: measure.as_ref().map(|own| &own.findley),
+                yielding: yielding.map(|own| own.value),
+            });
             runs.push(cycle_run(*law, *kind, &found, &places, &laws, stress)?);
         }
     }
@@ -138,6 +145,10 @@ pub fn crank_cycle(
         gas.cycles.iter().any(|own| matches!(&own.cycle, CylinderCycle::Ideal(ideal) if ideal.heat > 0.0))
     };
     let ringing = gas.as_ref().is_some_and(is_ideal).then(|| RINGING.to_owned());
+    notes.extend(match &measure {
+        Some(own) => own.estimated(),
+        None => Some("No safety against fatigue: [crank.material] gives no strength; add tensile_strength or a preset.".to_owned()),
+    });
     notes.extend(left_out(engine, request, &sheet.crank.left_out));
     Ok(CrankCycle {
         version: CRANK_CYCLE_VERSION,
@@ -152,6 +163,7 @@ pub fn crank_cycle(
         rules,
         runs,
         ringing,
+        fatigue: measure,
         notes,
         sheet,
     })

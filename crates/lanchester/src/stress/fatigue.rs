@@ -12,16 +12,18 @@ use crate::pressure::measured::TraceFile;
 use crate::stress::mesh::StressMesh;
 use crate::stress::request::{StressError, StressStage, support_words};
 use crate::stress::run::{check_crankshaft, sheet};
+use crate::stress::worst_point::WorstPoint;
 use lanchester_flex::case::StaticCase;
 use lanchester_flex::crank_case::{BearingSurfaces, CrankSupport, PinLoad, crank_support, load_pin};
 use lanchester_flex::crank_mesh::CrankMesh;
-use lanchester_flex::element::Stress;
 use lanchester_flex::sparse::SolveReport;
 use lanchester_flex::statics::{SolveOptions, StaticSystem, node_stresses};
 use lanchester_mechanism::{BearingPart, BearingRequest, ThrowForce, throw_forces};
-use lanchester_model::{Engine, Sourced};
-use lanchester_report::{CRANK_FATIGUE_VERSION, CrankFatigue, FatigueAtSpeed, FatigueFactors, FilletFatigue};
-use lanchester_strength::{FatigueLimits, Findley, PointFatigue, StressState, von_mises};
+use lanchester_model::Engine;
+use lanchester_report::{
+    CRANK_FATIGUE_VERSION, CrankFatigue, FatigueAtSpeed, FatigueFactors, FatigueMeasure, FilletFatigue,
+};
+use lanchester_strength::{FatigueLimits, Findley, StressState};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
@@ -83,12 +85,8 @@ pub fn crank_fatigue(
     if request.support.depends_on_angle() {
         return Err(StressError::AngledSprings);
     }
-    let material = engine.crank_material.unwrap_or_default();
-    let (Some(bending), Some(torsion)) = (material.fatigue_bending(), material.fatigue_torsion()) else {
-        return Err(StressError::NoFatigueLimit);
-    };
-    let limits = FatigueLimits { bending: bending.value, torsion: torsion.value };
-    let findley = Findley::new(limits, request.factors.product())?;
+    let measure = fatigue_measure(engine, request.factors)?.ok_or(StressError::NoFatigueLimit)?;
+    let yielding = engine.crank_material.unwrap_or_default().yield_strength();
     let crankshaft = request.mesh.crankshaft;
     let mut speeds = request.speeds.clone();
     if speeds.is_empty() {
@@ -117,10 +115,12 @@ pub fn crank_fatigue(
         let forces = throw_forces(engine, cylinders, &asked, crankshaft, &theta)?;
         let weights: Vec<Vec<(usize, f64)>> =
             forces.iter().map(|forces| units.weights(forces, ratio * speed)).collect();
-        let yielding = material.yield_strength();
         let judge = |corner: &lanchester_flex::crank_mesh::FilletPlace| {
-            let worst = worst_node(&units, &corner.nodes, &weights, &findley)?;
-            let at = sheet.crank.mesh.nodes[worst.node as usize];
+            let history = |node: usize| units.history(corner.nodes[node], &weights);
+            let mut worst = WorstPoint::new(&measure.findley);
+            (0..corner.nodes.len()).for_each(|node| worst.see(node, &history(node)));
+            let worst = worst.found(history)?;
+            let at = sheet.crank.mesh.nodes[corner.nodes[worst.node] as usize];
             Some(FilletFatigue {
                 name: corner.name.clone(),
                 radius: corner.radius,
@@ -141,18 +141,32 @@ pub fn crank_fatigue(
         support: support_words(&request.support),
         gas: source,
         solve: units.report,
-        bending_limit: bending,
-        torsion_limit: torsion,
-        findley,
-        factors: request.factors,
+        measure,
         instants: request.instants,
         speeds: found,
-        notes: notes(bending),
+        notes: notes(&measure),
         sheet,
     })
 }
 
-fn notes(bending: Sourced) -> Vec<String> {
+/// Findley's criterion with the limits of the crankshaft's material; `None` where the file gives no strength.
+///
+/// # Errors
+/// [`StressError`] where the criterion cannot hold both limits.
+pub(crate) fn fatigue_measure(
+    engine: &Engine,
+    factors: FatigueFactors,
+) -> Result<Option<FatigueMeasure>, StressError> {
+    let material = engine.crank_material.unwrap_or_default();
+    let (Some(bending), Some(torsion)) = (material.fatigue_bending(), material.fatigue_torsion()) else {
+        return Ok(None);
+    };
+    let limits = FatigueLimits { bending: bending.value, torsion: torsion.value };
+    let findley = Findley::new(limits, factors.product())?;
+    Ok(Some(FatigueMeasure { bending_limit: bending, torsion_limit: torsion, findley, factors }))
+}
+
+fn notes(measure: &FatigueMeasure) -> Vec<String> {
     let mut notes = vec![
         "Forces of gas and of the inertia of pistons and rods from the closed form at constant speed; the crankshaft's own centrifugal field acts. Torsional vibration and \
          the bearings' films are left out: use the sheet of formulas for the former."
@@ -161,9 +175,7 @@ fn notes(bending: Sourced) -> Vec<String> {
          mesh: with 6 elements across a fillet some 2 % of the peak are missing."
             .to_owned(),
     ];
-    if bending.origin != lanchester_model::Origin::Given {
-        notes.push("Fatigue limits are estimates from the tensile strength; give fatigue_bending and fatigue_torsion in [crank.material].".to_owned());
-    }
+    notes.extend(measure.estimated());
     notes
 }
 
@@ -243,6 +255,12 @@ impl UnitStresses {
         weights
     }
 
+    /// Stress of a node at every instant.
+    fn history(&self, node: u32, weights: &[Vec<(usize, f64)>]) -> Vec<StressState> {
+        let place = self.places[&node];
+        weights.iter().map(|weights| self.stress(place, weights)).collect()
+    }
+
     /// Stress of a node at an instant.
     fn stress(&self, place: usize, weights: &[(usize, f64)]) -> StressState {
         weights.iter().fold([0.0; 6], |sum, (case, weight)| {
@@ -250,58 +268,4 @@ impl UnitStresses {
             std::array::from_fn(|i| sum[i] + weight * own[i])
         })
     }
-}
-
-/// The node of a fillet where Findley's value is largest.
-struct WorstNode {
-    node: u32,
-    point: PointFatigue,
-    /// Largest of the whole fillet over the cycle [Pa].
-    von_mises: f64,
-}
-
-/// Largest shear stress of a state [Pa] and largest principal stress.
-fn extremes(state: StressState) -> [f64; 2] {
-    let principal = Stress(state).principal();
-    [0.5 * (principal[0] - principal[2]), principal[0]]
-}
-
-fn worst_node(
-    units: &UnitStresses,
-    nodes: &[u32],
-    weights: &[Vec<(usize, f64)>],
-    findley: &Findley,
-) -> Option<WorstNode> {
-    let history = |node: u32| -> Vec<StressState> {
-        let place = units.places[&node];
-        weights.iter().map(|weights| units.stress(place, weights)).collect()
-    };
-    let mut largest: f64 = 0.0;
-    // No plane has more than the largest shear stress of what varies plus k times the largest principal stress.
-    let mut bounded: Vec<(f64, u32)> = Vec::with_capacity(nodes.len());
-    for node in nodes {
-        let history = history(*node);
-        let count = history.len().max(1) as f64;
-        let mean: StressState = std::array::from_fn(|i| history.iter().map(|s| s[i]).sum::<f64>() / count);
-        let (mut shear, mut normal) = (0.0f64, f64::NEG_INFINITY);
-        for state in &history {
-            largest = largest.max(von_mises(state));
-            shear = shear.max(extremes(std::array::from_fn(|i| state[i] - mean[i]))[0]);
-            normal = normal.max(extremes(*state)[1]);
-        }
-        bounded.push((shear + findley.weight * normal, *node));
-    }
-    bounded.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
-    let mut best: Option<(f64, u32)> = None;
-    for (bound, node) in bounded {
-        if best.is_some_and(|(value, _)| bound <= value) {
-            break;
-        }
-        let value = findley.critical_plane(&history(node))?.value;
-        if best.is_none_or(|(most, _)| value > most) {
-            best = Some((value, node));
-        }
-    }
-    let node = best?.1;
-    Some(WorstNode { node, point: findley.safety(&history(node))?, von_mises: largest })
 }

@@ -11,8 +11,8 @@ use lanchester::report::{
     cycle_csv,
 };
 use lanchester::{
-    CrossCheckRequest, CycleRequest, CycleStage, StaticRequest, StressLoad, StressMesh, crank_cycle,
-    crosscheck, cylinder_gas, rotating_bodies, static_stress,
+    CrossCheckRequest, CycleRequest, CycleStage, FatigueRequest, StaticRequest, StressLoad, StressMesh,
+    crank_cycle, crank_fatigue, crosscheck, cylinder_gas, rotating_bodies, static_stress,
 };
 use std::f64::consts::PI;
 
@@ -135,7 +135,42 @@ fn a_rigid_crankshaft_has_the_loads_of_the_simulation_and_the_films_of_its_own_k
     );
     assert!(rows.iter().all(|(_, row)| row.len() + 1 == heads.len()));
     assert_eq!(crank_cycle_figures(&found).len(), 4);
-    assert!(cycle_csv(&found).contains("pin 1 at web 1,von Mises"));
+    let csv = cycle_csv(&found);
+    assert!(csv.contains("pin 1 at web 1,von Mises") && csv.contains("pin 1 at web 1,safety of all"));
+    fatigue_is_that_of_the_closed_form(&found);
+}
+
+/// Slow against its vibration, in rigid bearings, the crankshaft has the safety of fatigue under the loads of the closed form.
+fn fatigue_is_that_of_the_closed_form(found: &CrankCycle) {
+    let asked = FatigueRequest {
+        mesh: request(&[]).mesh,
+        speeds: vec![found.speed],
+        gas: false,
+        ..FatigueRequest::default()
+    };
+    let wanted = crank_fatigue(&engine(), &[], &asked, &|_| {}).unwrap();
+    let own = run(found, CycleLaw::Rigid, CrankKind::Flexible);
+    let allowed = found.fatigue.unwrap().findley.allowed;
+    assert_eq!(own.fatigue.len(), 4);
+    for ((own, wanted), peak) in own.fatigue.iter().zip(&wanted.speeds[0].fillets).zip(&own.fillets) {
+        let value = own.point.plane.value;
+        let ratio = value / wanted.point.plane.value;
+        // Patterns of the pressure up to its fourth order on a coarse mesh, and what is left of vibration.
+        assert!((ratio - 1.0).abs() < 0.03 && own.name == wanted.name, "{}: {ratio}", own.name);
+        assert!((own.point.safety_of_all.unwrap() * value / allowed - 1.0).abs() < 1e-9);
+        assert!((peak.peak / own.von_mises - 1.0).abs() < 1e-12);
+    }
+    let (run, worst) = found.most_fatigued().unwrap();
+    let least = run.fatigue.iter().filter_map(|own| own.point.safety_of_all).fold(f64::INFINITY, f64::min);
+    assert_eq!(worst.point.safety_of_all, Some(least));
+    let all = found.runs.iter().flat_map(|run| &run.fatigue).map(|own| own.point);
+    let least = all
+        .flat_map(|own| [own.safety_of_all, own.safety_of_amplitude])
+        .flatten()
+        .fold(f64::INFINITY, f64::min);
+    assert_eq!((found.endures(0.99 * least), found.endures(1.01 * least)), (Some(true), Some(false)));
+    // A rigid crankshaft has no stress that could tire.
+    assert!(self::run(found, CycleLaw::Film, CrankKind::Rigid).fatigue.is_empty());
 }
 
 /// Counterweights without a shape load the mains as in the closed form: on a web, in the plane of the throw, and at the flywheel.

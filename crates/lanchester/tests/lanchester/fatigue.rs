@@ -73,7 +73,7 @@ fn superposed_stress_is_that_of_loads_solved_one_by_one() {
         let off = fillet.von_mises / direct - 1.0;
         assert!(off.abs() < 0.02, "{}: {} against {direct} Pa", fillet.name, fillet.von_mises);
         let safety = fillet.point.safety_of_all.unwrap();
-        assert!((safety * fillet.point.plane.value / found.findley.allowed - 1.0).abs() < 1e-12);
+        assert!((safety * fillet.point.plane.value / found.measure.findley.allowed - 1.0).abs() < 1e-12);
     }
 }
 

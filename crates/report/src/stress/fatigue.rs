@@ -5,7 +5,7 @@ use crate::kit::number;
 use crate::kit::paragraph::push_wrapped;
 use crate::kit::table::{Cell, Column, Table, csv_number, numbers, push_csv_line, words};
 use lanchester_flex::sparse::SolveReport;
-use lanchester_model::Sourced;
+use lanchester_model::{Origin, Sourced};
 use lanchester_strength::{Findley, PointFatigue};
 use serde::Serialize;
 
@@ -37,6 +37,48 @@ impl FatigueFactors {
     }
 }
 
+/// Findley's criterion for a material, with what it was made of.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
+pub struct FatigueMeasure {
+    /// Fatigue limit in alternating bending [Pa].
+    pub bending_limit: Sourced,
+    /// Fatigue limit in alternating torsion [Pa].
+    pub torsion_limit: Sourced,
+    /// The criterion with these limits and factors.
+    pub findley: Findley,
+    /// Factors on the limits.
+    pub factors: FatigueFactors,
+}
+
+impl FatigueMeasure {
+    /// What is said where the limits are estimates.
+    pub fn estimated(&self) -> Option<String> {
+        (self.bending_limit.origin != Origin::Given).then(|| {
+            "Fatigue limits are estimates from the tensile strength; give fatigue_bending and fatigue_torsion in [crank.material].".to_owned()
+        })
+    }
+
+    pub(crate) fn words(&self) -> String {
+        let FatigueFactors { surface, size, gradient } = self.factors;
+        let factor = |name: &str, value: f64| match value {
+            1.0 => format!("{name} off"),
+            value => format!("{name} {}", number::trimmed(value, 4)),
+        };
+        format!(
+            "Fatigue limits: bending {} MPa ({}), torsion {} MPa ({}). Factors: {}, {}, {}. Findley: k = {}, allowed {} MPa.",
+            number::trimmed(1e-6 * self.bending_limit.value, 4),
+            self.bending_limit.origin,
+            number::trimmed(1e-6 * self.torsion_limit.value, 4),
+            self.torsion_limit.origin,
+            factor("surface", surface),
+            factor("size", size),
+            factor("gradient", gradient),
+            number::short(self.findley.weight, 4),
+            number::short(1e-6 * self.findley.allowed, 4),
+        )
+    }
+}
+
 /// Safety against fatigue of every fillet of a crankshaft.
 ///
 /// Linear, elastic; loads of the closed form at constant speed, superposed from unit loads; Findley's criterion.
@@ -52,14 +94,9 @@ pub struct CrankFatigue {
     pub gas: Option<String>,
     /// How the equations were solved.
     pub solve: SolveReport,
-    /// Fatigue limit in alternating bending [Pa].
-    pub bending_limit: Sourced,
-    /// Fatigue limit in alternating torsion [Pa].
-    pub torsion_limit: Sourced,
-    /// The criterion with these limits and factors.
-    pub findley: Findley,
-    /// Factors on the limits.
-    pub factors: FatigueFactors,
+    /// The criterion.
+    #[serde(flatten)]
+    pub measure: FatigueMeasure,
     /// Instants of a revolution.
     pub instants: usize,
     /// At each speed.
@@ -98,6 +135,14 @@ pub struct FilletFatigue {
     pub static_safety: Option<f64>,
 }
 
+impl FilletFatigue {
+    /// Whether both safeties, of all stress and of its amplitude, reach `wanted`.
+    pub fn is_safe(&self, wanted: f64) -> bool {
+        let holds = |safety: Option<f64>| safety.is_none_or(|safety| safety >= wanted);
+        holds(self.point.safety_of_all) && holds(self.point.safety_of_amplitude)
+    }
+}
+
 impl CrankFatigue {
     /// Speed and fillet of the least safety when all stress is scaled.
     pub fn worst(&self) -> Option<(f64, &FilletFatigue)> {
@@ -107,9 +152,7 @@ impl CrankFatigue {
 
     /// Whether every safety, of all stress and of its amplitude, reaches `wanted`.
     pub fn is_safe(&self, wanted: f64) -> bool {
-        let holds = |safety: Option<f64>| safety.is_none_or(|safety| safety >= wanted);
-        let mut points = self.speeds.iter().flat_map(|own| &own.fillets).map(|fillet| fillet.point);
-        points.all(|point| holds(point.safety_of_all) && holds(point.safety_of_amplitude))
+        self.speeds.iter().flat_map(|own| &own.fillets).all(|fillet| fillet.is_safe(wanted))
     }
 
     pub(crate) fn lead(&self) -> String {
@@ -129,24 +172,8 @@ impl CrankFatigue {
     }
 
     fn words(&self) -> Vec<String> {
-        let FatigueFactors { surface, size, gradient } = self.factors;
-        let factor = |name: &str, value: f64| match value {
-            1.0 => format!("{name} off"),
-            value => format!("{name} {}", number::trimmed(value, 4)),
-        };
         let mut words = vec![
-            format!(
-                "Fatigue limits: bending {} MPa ({}), torsion {} MPa ({}). Factors: {}, {}, {}. Findley: k = {}, allowed {} MPa.",
-                number::trimmed(1e-6 * self.bending_limit.value, 4),
-                self.bending_limit.origin,
-                number::trimmed(1e-6 * self.torsion_limit.value, 4),
-                self.torsion_limit.origin,
-                factor("surface", surface),
-                factor("size", size),
-                factor("gradient", gradient),
-                number::short(self.findley.weight, 4),
-                number::short(1e-6 * self.findley.allowed, 4),
-            ),
+            self.measure.words(),
             format!("Support: {}.", self.support),
             format!("Gas: {}.", self.gas.as_deref().unwrap_or("none")),
         ];

@@ -54,11 +54,11 @@ pub fn cycle(arguments: &CycleArguments, colour: bool) -> Result<u8, Failure> {
         Format::Json => json(&found)?,
         Format::Csv => arguments.printed.csv(cycle_csv(&found)),
     })?;
-    Ok(verdict(&found, safety, least_film))
+    Ok(verdict(&found, safety, arguments.fatigue_safety, least_film))
 }
 
 /// Says which limit fails.
-fn verdict(found: &CrankCycle, safety: Option<f64>, least_film: Option<f64>) -> u8 {
+fn verdict(found: &CrankCycle, safety: Option<f64>, fatigue: Option<f64>, least_film: Option<f64>) -> u8 {
     let mut status = DONE;
     if !found.is_sound() {
         tell("a run has no sound end: see how the cycles ended");
@@ -66,6 +66,21 @@ fn verdict(found: &CrankCycle, safety: Option<f64>, least_film: Option<f64>) -> 
     }
     if !is_safe(found.static_safety(), safety) {
         status = NOT_AS_EXPECTED;
+    }
+    if let Some(wanted) = fatigue {
+        match found.endures(wanted) {
+            Some(true) => {}
+            Some(false) => {
+                tell(format_args!("a safety against fatigue is below {wanted}"));
+                status = NOT_AS_EXPECTED;
+            }
+            None => {
+                tell(
+                    "no safety against fatigue is known: give tensile_strength in [crank.material], and fillets in [crank.body]",
+                );
+                status = NOT_AS_EXPECTED;
+            }
+        }
     }
     if let Some(wanted) = least_film {
         match found.least_film() {

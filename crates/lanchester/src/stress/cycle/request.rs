@@ -3,7 +3,7 @@
 use crate::stress::mesh::StressMesh;
 use lanchester_flex::train::{BasisOptions, CycleOptions};
 use lanchester_model::Engine;
-use lanchester_report::{CycleLaw, CycleSpeed};
+use lanchester_report::{CycleLaw, CycleSpeed, FatigueFactors};
 
 /// What to compute.
 #[derive(Debug, Clone, PartialEq)]
@@ -28,6 +28,8 @@ pub struct CycleRequest {
     pub instants: usize,
     /// Most cycles before an envelope is told.
     pub most_cycles: usize,
+    /// What lowers the fatigue limits of polished specimens.
+    pub factors: FatigueFactors,
 }
 
 impl Default for CycleRequest {
@@ -44,6 +46,7 @@ impl Default for CycleRequest {
             damping: None,
             instants: 360,
             most_cycles: CycleOptions::default().most_cycles,
+            factors: FatigueFactors::default(),
         }
     }
 }

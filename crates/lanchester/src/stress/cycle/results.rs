@@ -4,10 +4,13 @@ use super::free::LawCycles;
 use super::laws::{BearingLaws, law_words};
 use super::train::Bearing;
 use crate::stress::request::StressError;
+use crate::stress::worst_point::WorstPoint;
 use lanchester_flex::train::{
-    CycleInstant, FilmInstant, StressBasis, StressInstant, TrainLaw, largest_film_pressure,
+    CycleInstant, FilletCycle, FilletNodes, FilmInstant, StressBasis, StressInstant, TrainLaw,
+    largest_film_pressure,
 };
-use lanchester_report::{BearingCycle, CrankKind, CycleLaw, CycleRun, LeastFilm};
+use lanchester_report::{BearingCycle, CrankKind, CycleLaw, CycleRun, FilletFatigue, LeastFilm};
+use lanchester_strength::Findley;
 
 /// Instants at which the pressure of a film is solved.
 const PRESSURES: usize = 72;
@@ -32,7 +35,7 @@ pub(crate) fn cycle_run(
     found: &LawCycles,
     places: &[Bearing],
     laws: &BearingLaws,
-    stress: Option<&StressBasis>,
+    stress: Option<FilletStress<'_>>,
 ) -> Result<CycleRun, StressError> {
     let LawCycles { train, cycles } = found;
     let recorded: Vec<&CycleInstant> = cycles.recorded.iter().flat_map(|own| &own.instants).collect();
@@ -54,11 +57,15 @@ pub(crate) fn cycle_run(
         let seen: Vec<Seen> = recorded.iter().map(|own| Seen::of(own, train, surface, main, pin)).collect();
         bearings.push(bearing(place, law, &seen, last.len(), laws.quasi_static(surface))?);
     }
+    let mut fatigue = Vec::new();
     let fillets = match stress {
-        Some(basis) if !recorded.is_empty() => {
+        Some(stress) if !recorded.is_empty() => {
             let instants: Vec<StressInstant> =
                 recorded.iter().map(|own| stress_instant(own, train, places.len())).collect();
-            let mut fillets = basis.over_cycle(&instants);
+            let theta: Vec<f64> = recorded.iter().map(|own| own.theta).collect();
+            let judged = stress.basis.each_fillet(&instants, |nodes| stress.judge(nodes, &theta));
+            let (mut fillets, safeties): (Vec<FilletCycle>, Vec<_>) = judged.into_iter().unzip();
+            fatigue = safeties.into_iter().flatten().collect();
             for fillet in &mut fillets {
                 // Of several cycles the envelope.
                 let envelope = |k: usize| {
@@ -90,7 +97,40 @@ pub(crate) fn cycle_run(
         torque: last.iter().map(|own| own.torque).collect(),
         bearings,
         fillets,
+        fatigue,
     })
+}
+
+/// What is asked of the stress of fillets.
+pub(crate) struct FilletStress<'a> {
+    pub basis: &'a StressBasis,
+    /// None: fatigue is not judged.
+    pub findley: Option<&'a Findley>,
+    /// Yield strength [Pa].
+    pub yielding: Option<f64>,
+}
+
+impl FilletStress<'_> {
+    /// Peaks and safety of a fillet over the recorded instants at these crank angles.
+    fn judge(&self, nodes: &FilletNodes<'_>, theta: &[f64]) -> (FilletCycle, Option<FilletFatigue>) {
+        let Some(findley) = self.findley else { return (nodes.cycle(|_, _| {}), None) };
+        let mut worst = WorstPoint::new(findley);
+        let peak = nodes.cycle(|node, history| worst.see(node, history));
+        let fatigue = worst.found(|node| nodes.history(node)).map(|found| {
+            let (at, angle) = nodes.place(found.node);
+            FilletFatigue {
+                name: peak.name.clone(),
+                radius: peak.radius,
+                at,
+                angle,
+                critical_angle: theta.get(found.point.plane.instant).copied().unwrap_or(f64::NAN),
+                point: found.point,
+                von_mises: found.von_mises,
+                static_safety: self.yielding.map(|strength| strength / found.von_mises),
+            }
+        });
+        (peak, fatigue)
+    }
 }
 
 /// A bearing at one instant.

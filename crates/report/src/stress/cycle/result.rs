@@ -1,6 +1,7 @@
 //! What is told of a crankshaft that turns in its bearings.
 
 use crate::stress::body::CrankSheet;
+use crate::stress::fatigue::{FatigueMeasure, FilletFatigue};
 use lanchester_film::BearingKind;
 use lanchester_flex::train::{CycleOptions, CycleOutcome, EnergyBalance, FilletCycle, FreeSpeed};
 use serde::Serialize;
@@ -97,6 +98,8 @@ pub struct CrankCycle {
     pub runs: Vec<CycleRun>,
     /// What keeps the largest values from being those of an engine, where something does.
     pub ringing: Option<String>,
+    /// What judges fatigue; `None` where the file gives no strength.
+    pub fatigue: Option<FatigueMeasure>,
     /// What was assumed and left out.
     pub notes: Vec<String>,
 }
@@ -158,6 +161,8 @@ pub struct CycleRun {
     pub bearings: Vec<BearingCycle>,
     /// Fillets along z; of several recorded cycles peaks and curves are those of the envelope. Empty: a rigid crankshaft, or only sharp corners.
     pub fillets: Vec<FilletCycle>,
+    /// Safety of the same fillets against fatigue over the recorded cycles. Empty where no strength is known.
+    pub fatigue: Vec<FilletFatigue>,
 }
 
 /// A bearing over the cycle.
@@ -250,6 +255,11 @@ impl CycleRun {
         self.fillets.iter().max_by(|a, b| a.peak.total_cmp(&b.peak))
     }
 
+    /// The fillet with the least safety against fatigue when all stress is scaled.
+    pub fn most_fatigued(&self) -> Option<&FilletFatigue> {
+        self.fatigue.iter().max_by(|a, b| a.point.plane.value.total_cmp(&b.point.plane.value))
+    }
+
     /// Crank angle of a fillet's peak [rad].
     pub fn critical_angle(&self, fillet: &FilletCycle) -> f64 {
         self.theta.get(fillet.instant % self.theta.len().max(1)).copied().unwrap_or(f64::NAN)
@@ -324,6 +334,19 @@ impl CrankCycle {
         let peaks = self.counted().into_iter().filter_map(CycleRun::worst).map(|own| own.peak);
         let peak = peaks.fold(0.0, f64::max);
         (peak > 0.0).then(|| strength / peak)
+    }
+
+    /// Run and fillet of the least safety against fatigue, of all runs to go by.
+    pub fn most_fatigued(&self) -> Option<(&CycleRun, &FilletFatigue)> {
+        let worst = self.counted().into_iter().filter_map(|run| Some((run, run.most_fatigued()?)));
+        worst.max_by(|a, b| a.1.point.plane.value.total_cmp(&b.1.point.plane.value))
+    }
+
+    /// Whether every safety against fatigue of the runs to go by, of all stress and of its amplitude, reaches `wanted`; `None` where none is known.
+    pub fn endures(&self, wanted: f64) -> Option<bool> {
+        let mut fillets = self.counted().into_iter().flat_map(|run| &run.fatigue).peekable();
+        fillets.peek()?;
+        Some(fillets.all(|fillet| fillet.is_safe(wanted)))
     }
 
     /// Thinnest film of all runs to go by [m].

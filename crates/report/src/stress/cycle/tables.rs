@@ -4,6 +4,7 @@ use super::result::{BearingCycle, CrankCycle, CrankKind, CycleRun, CycleSpeed};
 use crate::kit::number;
 use crate::kit::paragraph::push_wrapped;
 use crate::kit::table::{Cell, Column, Table, csv_number, numbers, push_csv_line, words};
+use crate::stress::fatigue::{FatigueMeasure, FilletFatigue};
 use lanchester_film::BearingKind;
 use lanchester_flex::train::CycleOutcome;
 
@@ -101,6 +102,35 @@ impl CrankCycle {
         ))
     }
 
+    fn fatigue_table(&self) -> Option<Table> {
+        let runs: Vec<&CycleRun> = self.runs.iter().filter(|run| !run.fatigue.is_empty()).collect();
+        let rows = || runs.iter().flat_map(|run| run.fatigue.iter().map(move |own| (*run, own)));
+        rows().next()?;
+        let column = |head: &str, unit, digits, of: fn(&FilletFatigue) -> f64| {
+            numbers(head, unit, rows().map(|(_, own)| of(own)), digits)
+        };
+        let safety = |head: &str, of: fn(&FilletFatigue) -> Option<f64>| {
+            let cells = rows().map(|(_, own)| of(own).map_or(Cell::Empty, |own| Cell::number(own, 3)));
+            (Column::numbers(head, "1"), cells.collect::<Vec<_>>())
+        };
+        Some(Table::of_columns(
+            "cycle-fatigue",
+            "Safety of every fillet against fatigue over the cycle",
+            "Findley's criterion at the worst node of each fillet; shear amplitude and largest normal stress on its worst plane, crank angle of the latter. Safety of all: all stress \
+             scaled; of amplitude: its mean over the cycle stays.",
+            vec![
+                words("bearings", rows().map(|(run, _)| run.name())),
+                words("fillet", rows().map(|(_, own)| own.name.clone())),
+                safety("safety of all", |own| own.point.safety_of_all),
+                safety("of amplitude", |own| own.point.safety_of_amplitude),
+                column("shear", "MPa", 4, |own| 1e-6 * own.point.plane.shear),
+                column("normal", "MPa", 4, |own| 1e-6 * own.point.plane.normal_stress),
+                column("Findley", "MPa", 4, |own| 1e-6 * own.point.plane.value),
+                column("crank angle", "deg", 4, |own| own.critical_angle.to_degrees()),
+            ],
+        ))
+    }
+
     fn mains_table(&self) -> Option<Table> {
         let first = self.runs.iter().find(|run| !run.bearings.is_empty())?;
         let mains: Vec<&BearingCycle> =
@@ -188,6 +218,7 @@ impl CrankCycle {
     fn tables(&self) -> Vec<Table> {
         let mut tables = vec![self.runs_table()];
         tables.extend(self.fillets_table());
+        tables.extend(self.fatigue_table());
         tables.extend(self.mains_table());
         tables.extend(self.films_table());
         tables.extend(self.bearings_table());
@@ -237,6 +268,16 @@ impl CrankCycle {
         if let Some(safety) = self.static_safety() {
             out.push_str(&format!(" Yield strength over it: {}.", number::short(safety, 3)));
         }
+        if let Some((run, fillet)) = self.most_fatigued() {
+            let safety = |own: Option<f64>| own.map_or("unlimited".to_owned(), |own| number::short(own, 3));
+            out.push_str(&format!(
+                " Least safety against fatigue {} (of the amplitude alone {}) at {}, with {} bearings.",
+                safety(fillet.point.safety_of_all),
+                safety(fillet.point.safety_of_amplitude),
+                fillet.name,
+                run.name()
+            ));
+        }
         if let Some(film) = self.least_film() {
             out.push_str(&format!(" Least film {} um.", number::short(1e6 * film, 3)));
         }
@@ -284,6 +325,7 @@ impl CrankCycle {
                 ));
             }
         }
+        words.extend(self.fatigue.iter().map(FatigueMeasure::words));
         words.extend(self.notes.iter().cloned());
         words
     }
@@ -337,6 +379,17 @@ pub fn cycle_csv(found: &CrankCycle) -> String {
         for fillet in &run.fillets {
             let angle = run.critical_angle(fillet);
             line(run, &fillet.name, "von Mises", 1e-6 * fillet.peak, "MPa", Some(angle));
+        }
+        for fillet in &run.fatigue {
+            let (angle, point) = (Some(fillet.critical_angle), &fillet.point);
+            line(run, &fillet.name, "Findley", 1e-6 * point.plane.value, "MPa", angle);
+            let safeties =
+                [("safety of all", point.safety_of_all), ("safety of amplitude", point.safety_of_amplitude)];
+            for (quantity, safety) in safeties {
+                if let Some(safety) = safety {
+                    line(run, &fillet.name, quantity, safety, "1", None);
+                }
+            }
         }
         for own in &run.bearings {
             let name = own.name();
