@@ -56,6 +56,36 @@ test.describe("an engine with a damper", () => {
       for (const factor of [0.95, 1.05]) expect(await peak(factor * Number(adopted))).toBeGreaterThan(best);
     },
   );
+
+  test("the damper is told in the units of the page, and keeps those of the file", async ({
+    studio,
+    page,
+  }) => {
+    await open(page, studio);
+    const ring = page.getByRole("slider", { name: "Ring inertia" });
+    await expect(ring).toHaveAttribute("aria-valuetext", "110 g m²");
+    await page.getByLabel("Units of results").selectOption("US");
+    await expect(ring).toHaveAttribute("aria-valuetext", /^37[56] lb in²$/);
+    await expect(page.getByRole("slider", { name: "Damping" })).toHaveAttribute(
+      "aria-valuetext",
+      "44.3 lbf ft s/rad",
+    );
+    const typed = page.getByRole("textbox", { name: "Ring inertia of the damper" });
+    await expect(typed).toHaveValue("0.11 kg m2");
+    await typed.fill("300 lb in2");
+    await typed.press("Enter");
+    await expect(ring).toHaveAttribute("aria-valuetext", "300 lb in²");
+    // What is tried is adopted in the unit that was typed.
+    await ring.focus();
+    await ring.press("ArrowRight");
+    await expect(typed).toHaveValue("300 lb in2");
+    await page.getByRole("button", { name: "Adopt into the engine file" }).click();
+    await expect(typed).toHaveValue(/^30[0-9.]+ lb in2$/);
+    await expect(typed).not.toHaveValue("300 lb in2");
+    await page.keyboard.press("Control+s");
+    await expect.poll(() => studio.read()).toMatch(/ring_inertia = "30[0-9.]+ lb in2"/);
+    expect(await studio.read()).toContain('damping = "60 N m s/rad"');
+  });
 });
 
 test.describe("an engine without a crankshaft by sizes", () => {

@@ -15,6 +15,8 @@ export type Measure =
   | "moment"
   | "unbalance"
   | "inertia"
+  | "angular-damping"
+  | "angular-stiffness"
   | "speed"
   | "angle"
   | "rotation"
@@ -65,6 +67,8 @@ const UNITS: Record<System, Record<Measure, Unit>> = {
     moment: { name: "N m", si: 1 },
     unbalance: { name: "kg m", si: 1 },
     inertia: { name: "kg m²", si: 1 },
+    "angular-damping": { name: "N m s/rad", si: 1 },
+    "angular-stiffness": { name: "N m/rad", si: 1 },
     velocity: { name: "m/s", si: 1 },
     acceleration: { name: "m/s²", si: 1 },
     pressure: { name: "bar", si: 1e5 },
@@ -85,6 +89,8 @@ const UNITS: Record<System, Record<Measure, Unit>> = {
     moment: { name: "N m", si: 1 },
     unbalance: { name: "g mm", si: 1e-6 },
     inertia: { name: "g m²", si: 1e-3 },
+    "angular-damping": { name: "N m s/rad", si: 1 },
+    "angular-stiffness": { name: "kN m/rad", si: 1e3 },
     velocity: { name: "m/s", si: 1 },
     acceleration: { name: "m/s²", si: 1 },
     pressure: { name: "bar", si: 1e5 },
@@ -105,6 +111,8 @@ const UNITS: Record<System, Record<Measure, Unit>> = {
     moment: { name: "lbf ft", si: POUND_FORCE * 12 * INCH },
     unbalance: { name: "oz in", si: (POUND / 16) * INCH },
     inertia: { name: "lb in²", si: POUND * INCH * INCH },
+    "angular-damping": { name: "lbf ft s/rad", si: POUND_FORCE * 12 * INCH },
+    "angular-stiffness": { name: "lbf ft/rad", si: POUND_FORCE * 12 * INCH },
     velocity: { name: "ft/s", si: 12 * INCH },
     acceleration: { name: "ft/s²", si: 12 * INCH },
     pressure: { name: "psi", si: POUND_FORCE / (INCH * INCH) },
@@ -166,4 +174,13 @@ export function digits(value: number, significant = 4): string {
 export function quantity(value: number, measure: Measure, significant = 4): string {
   const name = unit(measure);
   return digits(shown(value, measure), significant) + (name ? (name === "°" ? "°" : ` ${name}`) : "");
+}
+
+/** A whole number of things, with thousands apart as in all other numbers. */
+export const counted = (count: number): string => spaced(String(Math.round(count)));
+
+/** An SI value with its unit, as text, with the decimals that steps of `step` [SI] tell apart. */
+export function stepped(value: number, measure: Measure, step: number): string {
+  const decimals = Math.max(0, Math.min(8, Math.ceil(-Math.log10(shown(step, measure)) - 1e-9)));
+  return `${spaced(shown(value, measure).toFixed(decimals)).replace("-", "−")} ${unit(measure)}`.trimEnd();
 }

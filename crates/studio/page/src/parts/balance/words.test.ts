@@ -25,7 +25,7 @@ const stage: FoundStage = {
 describe("criteria", () => {
   it("have the names of the file", () => {
     expect(criterionName({ peak: "roll-moment" })).toBe("roll moment");
-    expect(criterionName({ order: ["couple", 0.5] })).toBe("couple order 1/2");
+    expect(criterionName({ order: ["couple", 0.5] })).toBe("couple order 0.5");
     expect(criterionName("added-unbalance")).toBe("added unbalance");
     expect(criterionName({ peak: "largest-main-load" })).toBe("main-bearing load");
     expect(criterionName({ order: [{ "main-load": 2 }, 1] })).toBe("main-bearing load 3 order 1");
@@ -90,7 +90,12 @@ describe("proofs", () => {
   });
 
   it("tell the method", () => {
-    expect(methodWords({ kind: "branch-and-bound", nodes: 190, solves: 870 })).toContain("190 boxes");
+    expect(methodWords({ kind: "branch-and-bound", nodes: 190, solves: 870 })).toContain(
+      "190 branch-and-bound nodes",
+    );
+    expect(methodWords({ kind: "branch-and-bound", nodes: 13824, solves: 870 })).toContain(
+      "13\u202f824 branch-and-bound nodes",
+    );
     expect(methodWords({ kind: "convex", solves: 1 })).toContain("1 time ");
   });
 });

@@ -1,7 +1,8 @@
 // Criteria, numbers of proofs and verdicts in plain words.
 
 import type { Answer, Effect, FoundLimit, FoundStage, Load, Mains, Method, Statistic } from "../../api/types";
-import type { Measure } from "../../state/units.svelte";
+import { counted, type Measure } from "../../state/units.svelte";
+import { orderTitle } from "../order";
 
 /** What balancing judges; another list of criteria has the plain name among the types. */
 export type Criterion = Effect["criterion"];
@@ -33,12 +34,7 @@ export function criterionName(criterion: Criterion): string {
   if ("main-rms" in criterion) return statisticName("rms", criterion["main-rms"]);
   if ("main-mean" in criterion) return statisticName("mean", criterion["main-mean"]);
   if ("mains-with-gas" in criterion) return `${statisticName(...criterion["mains-with-gas"])} with gas`;
-  return `${loadName(criterion.order[0])} order ${orderName(criterion.order[1])}`;
-}
-
-/** `1`, `1/2`, `5/2`. */
-export function orderName(order: number): string {
-  return Number.isInteger(order) || !Number.isInteger(2 * order) ? String(order) : `${2 * order}/2`;
+  return `${loadName(criterion.order[0])} ${orderTitle(criterion.order[1])}`;
 }
 
 /** What a criterion measures. */
@@ -82,13 +78,10 @@ export function gapWords(stage: FoundStage): string {
 }
 
 export function methodWords(method: Method): string {
-  const times = (count: number, what: string) => `${count} ${what}${count === 1 ? "" : "s"}`;
+  const times = (count: number, what: string) => `${counted(count)} ${what}${count === 1 ? "" : "s"}`;
   if (method.kind === "convex")
     return `One convex problem, solved ${times(method.solves, "time")} until its crank angles were exact: it has no other optimum.`;
-  return `All choices were searched: ${times(method.nodes, "box").replace(
-    "boxs",
-    "boxes",
-  )} of choices, ${times(method.solves, "convex problem")}. Every box that was dropped holds nothing better.`;
+  return `All choices were searched: ${times(method.nodes, "branch-and-bound node")}, ${times(method.solves, "convex problem")}. Every node that was pruned holds nothing better.`;
 }
 
 /** Angles [rad] that hold an optimum up, each once, in degrees. */

@@ -1,7 +1,7 @@
 // What the mounts carry over speed, as series.
 
 import type { MountStudy } from "../../../api/types";
-import { orderName } from "../../balance/words";
+import { orderTitle } from "../../order";
 import type { Series } from "../../plot/series";
 
 type Complex = readonly [number, number];
@@ -49,7 +49,7 @@ export function forces(study: MountStudy, mount: number): Series[] {
   return [
     { name: "largest", x, y: peaks, colour: 1, width: 2.25 },
     ...curves.map(({ order, y }, index) => ({
-      name: `order ${orderName(order)}`,
+      name: orderTitle(order),
       x,
       y,
       colour: index + 2,

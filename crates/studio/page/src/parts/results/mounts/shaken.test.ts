@@ -68,7 +68,7 @@ describe("the orbit of a mount", () => {
   });
 
   it("of half an order closes after two revolutions", () => {
-    const half = orbit(shaken, 0, 0, "side").find((one) => one.name === "order 1/2");
+    const half = orbit(shaken, 0, 0, "side").find((one) => one.name === "order 0.5");
     expect(half?.along?.[half.along.length - 1]).toBeCloseTo(4 * Math.PI * (359 / 360), 9);
   });
 

@@ -1,7 +1,7 @@
 // How the block moves on its mounts, put together from the orders of the answer.
 
 import type { MountStudy, SpeedResponse } from "../../../api/types";
-import { orderName } from "../../balance/words";
+import { orderTitle } from "../../order";
 import type { Series } from "../../plot/series";
 import { MOTIONS } from "../forces/directions";
 import { amplitude } from "./mounts";
@@ -136,7 +136,7 @@ export function orbit(study: MountStudy, mount: number, speed: number, seen: See
         { length: ANGLES },
         (_, step) => (2 * Math.PI * step) / (ANGLES * order),
       );
-      return { name: `order ${orderName(order)}`, ...path([index], turn), colour: place + 2, width: 1.5 };
+      return { name: orderTitle(order), ...path([index], turn), colour: place + 2, width: 1.5 };
     }),
   ];
 }

@@ -1,6 +1,9 @@
 // What the pictures of torsional vibration are made of.
 
 import type { TorsionAnswer, TorsionDamper } from "../../../api/types";
+import type { Measure } from "../../../state/units.svelte";
+import { parted, plain } from "../../balance/devices/devices";
+import { orderTitle } from "../../order";
 import type { Marker, Series } from "../../plot/series";
 
 /** Numbers of a damper that are tried out in place of those of the file. */
@@ -22,11 +25,6 @@ export function peak(values: readonly number[]): { at: number; value: number } {
   return { at, value: values[at] ?? NaN };
 }
 
-/** "order 4.5" */
-export function orderName(order: number): string {
-  return `order ${Number(order.toFixed(3))}`;
-}
-
 /** All orders in true phase, and the strongest alone. */
 export function twists({ speeds, orders, twist }: TorsionAnswer): Series[] {
   const strongest = twist.by_order
@@ -36,7 +34,7 @@ export function twists({ speeds, orders, twist }: TorsionAnswer): Series[] {
   return [
     { name: "all orders", x: speeds, y: twist.total, colour: 1, width: 2.5 },
     ...strongest.map(({ values, order }, index) => ({
-      name: orderName(order),
+      name: orderTitle(order),
       x: speeds,
       y: values,
       colour: index + 2,
@@ -67,7 +65,7 @@ export function campbell({ campbell: { speeds, frequencies, criticals } }: Torsi
       ...orders.map((order) => {
         const end = Math.min(last, (2 * Math.PI * top) / order);
         return {
-          name: orderName(order),
+          name: orderTitle(order),
           x: [0, end],
           y: [0, (order * end) / (2 * Math.PI)],
           colour: 6,
@@ -81,7 +79,7 @@ export function campbell({ campbell: { speeds, frequencies, criticals } }: Torsi
       .map(({ speed, frequency, order, mode }) => ({
         x: speed,
         y: frequency / (2 * Math.PI),
-        name: `${orderName(order)} meets mode ${mode}`,
+        name: `${orderTitle(order)} meets mode ${mode}`,
       })),
   };
 }
@@ -105,16 +103,36 @@ export function most(value: number): number {
   return ([1, 2, 5, 10].find((step) => step * size >= raw) ?? 10) * size;
 }
 
-/** What of the tried numbers differs from the damper of the file, as lines of the engine file. */
-export function lines(tried: Tried): { path: string; value: string }[] {
-  const text = (value: number | undefined, unit: string) =>
-    value === undefined ? undefined : `${Number(value.toPrecision(6))} ${unit}`;
-  const all = [
-    { path: "damper.ring_inertia", value: text(tried.ring_inertia, "kg m2") },
-    { path: "damper.damping", value: text(tried.damping, "N m s/rad") },
-    { path: "damper.stiffness", value: text(tried.stiffness, "N m/rad") },
-  ];
-  return all.filter((line): line is { path: string; value: string } => line.value !== undefined);
+/** What a number of the damper is: how it is called, and its unit on the page and in a file that has none yet. */
+export const NUMBERS = {
+  ring_inertia: { name: "Ring inertia", measure: "inertia", unit: "kg m2" },
+  damping: { name: "Damping", measure: "angular-damping", unit: "N m s/rad" },
+  stiffness: { name: "Stiffness", measure: "angular-stiffness", unit: "N m/rad" },
+} as const satisfies Record<keyof Tried, { name: string; measure: Measure; unit: string }>;
+
+/** A number as the file has it: its text, and the SI value of that. */
+export interface Typed {
+  text: unknown;
+  si: number;
+}
+
+/** What was tried, as edits of the engine file: the unit that is typed there stays. */
+export function lines(
+  tried: Tried,
+  file: (number: keyof Tried) => Typed | undefined,
+): { path: string; value: string }[] {
+  const numbers = Object.keys(NUMBERS) as (keyof Tried)[];
+  return numbers.flatMap((number) => {
+    const value = tried[number];
+    if (value === undefined) return [];
+    const own = file(number);
+    const typed = parted(own?.text);
+    const written =
+      own && typed && typed.number > 0 && own.si > 0
+        ? `${plain((typed.number * value) / own.si)} ${typed.unit}`
+        : `${plain(value)} ${NUMBERS[number].unit}`;
+    return [{ path: `damper.${number}`, value: written }];
+  });
 }
 
 /** The numbers that a slider moves: those that this kind of damper has. */
