@@ -109,7 +109,7 @@ test.describe("studies", () => {
 
   test("layouts are searched, sorted, pinned and used", async ({ page, studio }) => {
     await study(page, studio, "Explore layouts");
-    await expect(page.getByText("13,824 cases")).toBeVisible();
+    await expect(page.getByText("13\u202f824 cases")).toBeVisible();
     await page.getByRole("button", { name: "Search", exact: true }).click();
     const table = page.getByRole("table", { name: "Pareto-optimal layouts" });
     const first = table.getByRole("row").nth(1);
@@ -147,7 +147,7 @@ test.describe("studies", () => {
     await study(page, studio, "Explore layouts");
     await page.getByRole("combobox", { name: "Throws stand at" }).selectOption({ label: "every 10°" });
     await page.getByRole("spinbutton", { name: "Cylinders" }).fill("6");
-    await expect(page.getByText(/^1,934,917,632 cases/)).toBeVisible();
+    await expect(page.getByText(/^1\u202f934\u202f917\u202f632 cases/)).toBeVisible();
     await page.getByRole("button", { name: "Search", exact: true }).click();
     await expect(page.getByText(/about .* left/)).toBeVisible();
     await page.getByRole("button", { name: "Stop" }).click();
@@ -166,7 +166,7 @@ test.describe("studies", () => {
     const draw = page.getByRole("button", { name: "Draw", exact: true });
     await draw.click();
     const loads = page.getByRole("table", { name: "Loads of the production" });
-    await expect(page.getByText(/20,000 engines at .* seed 1,/)).toBeVisible();
+    await expect(page.getByText(/20\u202f000 engines at .* seed 1,/)).toBeVisible();
     await expect(page.getByText("Limit not kept")).toBeVisible();
     await expect(figures(page, "Force of order 1").locator("path.area")).toHaveCount(1);
     const one = await loads.textContent();
