@@ -58,7 +58,7 @@ pub enum MultibodyError {
         missing: String,
     },
     /// A run with free speed needs the polar inertia of everything that turns.
-    #[error("free speed needs the moment of inertia of {part}: give {keys}")]
+    #[error("free speed needs the moment of inertia of the {part}: give {keys}")]
     NoInertia {
         /// What has no inertia.
         part: String,

@@ -1,7 +1,7 @@
 // The Simulate tab: paths of points and torques of gears beside the run.
 
 import type { Page } from "@playwright/test";
-import { opened } from "./page";
+import { opened, text } from "./page";
 import { expect, test } from "./server";
 
 test.use({ example: "three-cylinder.toml" });
@@ -49,6 +49,28 @@ test("the speed at the start is that of the run", async ({ studio, page }) => {
     "placeholder",
     "45",
   );
+});
+
+test.describe("an engine without a flywheel", () => {
+  test.use({ example: "single-gas.toml" });
+
+  test("says what the run needs, and goes on with a typical flywheel", async ({ studio, page }) => {
+    await page.goto(studio.address);
+    await opened(page);
+    await page.getByRole("tab", { name: "Simulate" }).click();
+    await page.getByRole("button", { name: "Simulate", exact: true }).click();
+    await expect(page.getByRole("heading", { name: "The run needs more of the engine" })).toBeVisible();
+    await expect(page.getByText(/^Free speed needs the moment of inertia of/)).toBeVisible();
+
+    await page.getByRole("button", { name: "Add it on the Engine tab" }).click();
+    const keys = page.locator("[data-section=flywheel]");
+    await expect(keys.getByRole("button", { name: /^Inertia/ })).toBeVisible();
+    await page.getByRole("tab", { name: "Simulate" }).click();
+    await page.getByRole("button", { name: "Insert typical values" }).click();
+    await expect(page.getByText(/in the last period$/).first()).toBeVisible({ timeout: 30_000 });
+    await page.getByRole("tab", { name: "Engine" }).click();
+    await expect.poll(() => text(page)).toContain("[flywheel]");
+  });
 });
 
 /** Words of selects for which there is no room. */

@@ -36,6 +36,13 @@ export function missing(keys: readonly string[], present: (path: string) => bool
   });
 }
 
+/** The section that a message asks for first, if there are typical values for it: "give `inertia` in [flywheel]". */
+export function askedFor(message: string): TypicalSection | undefined {
+  const sections = Object.keys(TYPICAL) as TypicalSection[];
+  const named = [...message.matchAll(/\[\[?([a-z_.]+)\]/g)].map((found) => found[1]);
+  return sections.find((section) => section === named[0]);
+}
+
 class Typical {
   /** Whether an answer is awaited. */
   busy = $state(false);
@@ -52,16 +59,16 @@ class Typical {
     this.problem = undefined;
   }
 
-  /** Inserts typical values for these sections, for all that are missing where none is named. */
-  async insert(sections: readonly TypicalSection[]): Promise<void> {
-    if (this.busy) return;
+  /** Inserts typical values for these sections, for all that are missing where none is named; whether any were added. */
+  async insert(sections: readonly TypicalSection[]): Promise<boolean> {
+    if (this.busy) return false;
     this.#forget();
     this.busy = true;
     const text = engine.text;
     try {
       const done = await post<Completed>("/api/complete", { text, sections });
       // Typing goes before: what was asked of an older text is not put in its place.
-      if (engine.text !== text) return;
+      if (engine.text !== text) return false;
       const names = done.added.map((section) => TYPICAL[section]);
       const left = done.left_out.map(({ section, why }) => `${TYPICAL[section]} is left out: ${why}`);
       this.said = [
@@ -69,9 +76,11 @@ class Typical {
         ...left,
       ].join(". ");
       await engine.set(done.text, `typical values for ${names.join(", ")}`);
+      return names.length > 0;
     } catch (error) {
       if (!(error instanceof Refused)) throw error;
       this.problem = error.problem;
+      return false;
     } finally {
       this.busy = false;
     }

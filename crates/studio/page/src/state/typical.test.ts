@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { missing } from "./typical.svelte";
+import { askedFor, missing } from "./typical.svelte";
 
 describe("typical values", () => {
   const file =
@@ -11,6 +11,15 @@ describe("typical values", () => {
     expect(missing(["gas", "friction"], file("friction"))).toEqual(["gas"]);
     expect(missing(["block", "mount"], file())).toEqual(["block", "mount"]);
     expect(missing(["gas"], file("gas"))).toEqual([]);
+  });
+
+  it("are offered for what a message asks for first", () => {
+    const inertia =
+      "free speed needs the moment of inertia of the crankshaft: give `inertia` in [flywheel], or [crank.body]";
+    expect(askedFor(inertia)).toBe("flywheel");
+    expect(askedFor("the block cannot move: the file has no [[mount]]; add it")).toBe("mount");
+    expect(askedFor("the file has no [layout]; give [flywheel]")).toBeUndefined();
+    expect(askedFor("the load never ends")).toBeUndefined();
   });
 
   it("are offered for details of a table where the table is there", () => {

@@ -3,16 +3,26 @@
 import { tick } from "svelte";
 import { view } from "../../../state/view.svelte";
 
+/** The path that the eye is being led to. */
+let leading: string | undefined;
+
 /** Shows the Engine tab and puts the focus into the field of `path`, or the first of that section; `false` where the form has none. */
 export async function focusField(path: string): Promise<boolean> {
-  view.tab = "engine";
-  await tick();
-  document.dispatchEvent(new CustomEvent("lanchester-field", { detail: path }));
-  await tick();
-  const field = document.querySelector<HTMLElement>(`[data-path="${CSS.escape(path)}"]`);
-  if (!field) return focusSection(path);
-  show(field);
-  return true;
+  // A form that opens leads to the field in hand by itself: once is enough.
+  if (leading === path) return true;
+  leading = path;
+  try {
+    view.tab = "engine";
+    await tick();
+    document.dispatchEvent(new CustomEvent("lanchester-field", { detail: path }));
+    await tick();
+    const field = document.querySelector<HTMLElement>(`[data-path="${CSS.escape(path)}"]`);
+    if (!field) return await focusSection(path);
+    show(field);
+    return true;
+  } finally {
+    leading = undefined;
+  }
 }
 
 /** The first field of a section, or what adds one; `false` where the form has no such section. */
