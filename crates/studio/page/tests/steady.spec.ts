@@ -1,7 +1,7 @@
 // Nothing moves while numbers change: only plots, pictures and texts may look different.
 
 import type { Page } from "@playwright/test";
-import { figure } from "./page";
+import { field, figure } from "./page";
 import { expect, test } from "./server";
 
 const SECTIONS = ["Forces and couples", "Motion", "Torque", "Bearings", "Mounts", "Inside the crankshaft"];
@@ -165,4 +165,71 @@ test("on a phone the speed moves no element", async ({ page, studio }) => {
   await expect(page.locator("figure[data-plot]").first()).toBeVisible();
   await answered();
   await through(page, answered, "input#speed");
+});
+
+test.describe("a damper is added", () => {
+  test.use({ example: "in-line-6-torsion.toml" });
+
+  test("its fields are there from the start, and none moves while they are filled", async ({
+    page,
+    studio,
+  }) => {
+    await studio.write((await studio.read()).replace(/\[damper\][^[]*/, ""));
+    await page.goto(studio.address);
+    await expect(figure(page, "Peak force")).toHaveText(/\d/);
+    await page.locator("summary", { hasText: "Torsional vibration" }).click();
+    await page.getByRole("button", { name: "+ Add damper" }).click();
+    await expect(field(page, "damper.type")).toBeFocused();
+    const keys = ["type", "ring_inertia", "hub_inertia", "damping", "stiffness", "loss_factor"];
+    const box = page.locator('[data-section="damper"]');
+    const places = () =>
+      box.evaluate((table) => {
+        const top = table.getBoundingClientRect().top;
+        return [
+          table.getBoundingClientRect().height,
+          ...[...table.querySelectorAll("[data-path]")].map((one) => one.getBoundingClientRect().top - top),
+        ].map((one) => Math.round(one));
+      });
+    const before = await places();
+    expect(before).toHaveLength(1 + keys.length);
+
+    await field(page, "damper.type").selectOption("viscous");
+    await expect(field(page, "damper.damping")).toHaveAttribute("aria-invalid", "true");
+    await expect(field(page, "damper.stiffness")).toHaveAttribute("placeholder", "not needed");
+    expect(await places()).toEqual(before);
+    // Half a value is told on the spot, over what follows.
+    await field(page, "damper.ring_inertia").fill("0.0045 k");
+    await expect(box.locator(".said")).toContainText("unit");
+    expect(await places()).toEqual(before);
+    await field(page, "damper.ring_inertia").fill("0.0045 kg m2");
+    await expect(box.locator(".said")).toBeHidden();
+    expect(await places()).toEqual(before);
+    await field(page, "damper.hub_inertia").fill("0.0025 kg m2");
+    await field(page, "damper.damping").fill("6 N m s/rad");
+    await expect(page.getByRole("region", { name: "Messages about the file" })).toContainText("No mistakes");
+    expect(await places()).toEqual(before);
+    await field(page, "damper.type").selectOption("rubber");
+    await expect(field(page, "damper.stiffness")).toHaveAttribute("aria-invalid", "true");
+    expect(await places()).toEqual(before);
+  });
+
+  test("a click on what lies below a wrong value meets it", async ({ page, studio }) => {
+    await page.goto(studio.address);
+    await expect(figure(page, "Peak force")).toHaveText(/\d/);
+    const hub = field(page, "damper.hub_inertia");
+    await page.locator("summary", { hasText: "Torsional vibration" }).click();
+    await hub.evaluate((one) => one.scrollIntoView({ block: "center" }));
+    await hub.fill("5");
+    const said = page.locator(".field", { has: hub }).locator(".said");
+    await expect(said).toBeVisible();
+    const below = field(page, "damper.damping");
+    const { x, y, width, height } = (await below.boundingBox())!;
+    await page.mouse.move(x + width / 2, y + height / 2);
+    await page.mouse.down();
+    await expect(below).toBeFocused();
+    expect((await below.boundingBox())!.y).toBe(y);
+    await page.mouse.up();
+    // Out of hand the lines have their own room.
+    await expect.poll(async () => (await below.boundingBox())!.y).toBeGreaterThan(y + 10);
+  });
 });

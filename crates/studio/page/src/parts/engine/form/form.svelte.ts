@@ -4,7 +4,7 @@ import { SvelteSet } from "svelte/reactivity";
 import type { PlacedDiagnostic } from "../../../api/types";
 import { engine } from "../../../state/engine.svelte";
 import { server } from "../../../state/server.svelte";
-import { Tables, subject, within } from "./tables";
+import { Tables, join, missed, subject, within } from "./tables";
 
 class Form {
   /** Keys and tables whose empty fields are shown although the file does not have them yet. */
@@ -18,7 +18,15 @@ class Form {
   readonly layout = $derived(String(engine.value("layout.type") ?? ""));
   readonly diagnostics = $derived.by((): PlacedDiagnostic[] => {
     const reading = engine.reading;
-    return reading?.diagnostics.map((one) => ({ ...one, path: subject(reading, one) })) ?? [];
+    return (
+      reading?.diagnostics.map((one) => {
+        const path = subject(reading, one);
+        // What is missing in a table belongs to the empty field of its key.
+        const field = path === null ? undefined : join(path, missed(one.message) ?? "");
+        const known = field !== undefined && this.tables.key(field) && this.tables.shape(field) === "value";
+        return { ...one, path: known ? field : path };
+      }) ?? []
+    );
   });
 
   constructor() {

@@ -25,11 +25,15 @@ const GROUPS = [
   group("Balance shafts", ["shaft"]),
   group("Gas and friction", ["gas", "friction"]),
   group("Flywheel", ["flywheel"]),
+  group("Driveline and gears", ["driveline", "gear"]),
+  group("Torsional vibration", ["torsion", "damper", "pendulum"]),
   group("Bearings", ["bearings"]),
+  group("Stress of the crankshaft", ["stress"]),
   group("Block and mounts", ["block", "mount"]),
+  group("Run in time", ["simulation", "load", "starter", "governor"]),
   group("Balance task", ["balance"]),
   group("Shapes of weights", ["counterweight_design", "shaft_weight_design"]),
-  group("Room for the crankshaft", ["clearance"]),
+  group("Clearance of the crankshaft", ["clearance"]),
   group("Tolerances", ["tolerances"]),
 ];
 
@@ -43,6 +47,18 @@ const CORE: Record<string, string[]> = {
 export function isCore(path: string, entries: FileEntry[]): boolean {
   const others = CORE[path];
   return others !== undefined && !entries.some((entry) => others.includes(entry.path));
+}
+
+/**
+ * Keys that one type of a table needs and another may have: their fields are there with the table, so that none comes, goes or
+ * moves when the type becomes another one.
+ */
+const STANDING: Record<string, string[]> = {
+  damper: ["damping", "stiffness", "loss_factor"],
+};
+
+export function stands(table: string, key: string): boolean {
+  return STANDING[table]?.includes(key) ?? false;
 }
 
 /** The groups, with a last one for keys that have no place in the others. */

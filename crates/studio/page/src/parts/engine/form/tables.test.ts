@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { FileEntry, KeyTable, PlacedDiagnostic, Reading } from "../../../api/types";
-import { Tables, children, count, label, present, split, subject } from "./tables";
+import { Tables, children, count, label, missed, present, split, subject } from "./tables";
 
 const key = (name: string) => ({
   name,
@@ -101,5 +101,13 @@ describe("subject", () => {
 
   it("is nothing where only the file as a whole is meant", () => {
     expect(about(null, 3)).toBeNull();
+  });
+});
+
+describe("missed", () => {
+  it("is the key that a table lacks", () => {
+    expect(missed("`damping` is missing in [damper]")).toBe("damping");
+    expect(missed("`ratio` is missing in [[shaft]]")).toBe("ratio");
+    expect(missed("the flank is missing in [counterweight_design]")).toBeUndefined();
   });
 });

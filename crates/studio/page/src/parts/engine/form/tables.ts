@@ -81,6 +81,11 @@ export function label(name: string): string {
   return words.length === 1 ? words : words.charAt(0).toUpperCase() + words.slice(1);
 }
 
+/** The key that a message misses in its table. */
+export function missed(message: string): string | undefined {
+  return /^`(\w+)` is missing in \[/.exec(message)?.[1];
+}
+
 /**
  * The key that a message is about. The server names the value at its place; a message about something that is missing
  * stands at the header of its table.
