@@ -118,6 +118,30 @@ test("a wrong value is told beside its field, the results stay", async ({ page }
   await expect(figure(page, "Peak couple")).not.toHaveText(peak ?? "");
 });
 
+test("a computed number is shown with the digits that count, and stays whole in the file", async ({
+  page,
+}) => {
+  const rod = field(page, "rod.length");
+  await type(page, "rod.length", "150.123456789 mm");
+  await expect.poll(() => text(page)).toContain('"150.123456789 mm"');
+  // What is being typed stays as it is typed.
+  await expect(rod).toHaveValue("150.123456789 mm");
+  await rod.blur();
+  await expect(rod).toHaveValue("150.123 mm");
+  await expect(rod).toHaveAttribute("title", "150.123456789 mm");
+  await expect(
+    page.getByRole("region", { name: "Dimensioned sketch" }).getByRole("button", { name: /^Rod length/ }),
+  ).toHaveAttribute("aria-label", /^Rod length 150\.123 mm/);
+  const before = await text(page);
+  // Typed as it is shown it is the same number, to its last digit.
+  await rod.fill("150.123 mm");
+  await rod.blur();
+  await page.waitForTimeout(400);
+  expect(await text(page)).toBe(before);
+  await type(page, "rod.length", "151 mm");
+  await expect.poll(() => text(page)).toContain('"151 mm"');
+});
+
 test("a key that is missing gets its field", async ({ page }) => {
   await field(page, "rod.length").fill("");
   await field(page, "rod.length").blur();

@@ -1,7 +1,7 @@
 // Which key of the file a dimension of the sketch belongs to: files say the same in several ways.
 
 import type { FileEntry } from "../../../api/types";
-import { typed } from "../text/written";
+import { shownTyped } from "../text/written";
 
 export interface Named {
   path: string;
@@ -13,7 +13,7 @@ export interface Named {
 export function first(entries: FileEntry[], paths: string[]): Named | undefined {
   for (const path of paths) {
     const entry = entries.find((one) => one.path === path);
-    if (entry) return { path, text: typed(entry.value) };
+    if (entry) return { path, text: shownTyped(entry.value) };
   }
   return undefined;
 }

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { KeyInfo } from "../../../api/types";
-import { plain, shownExample, typed, written } from "./written";
+import { plain, shownExample, shownTyped, typed, written } from "./written";
 
 const key = (kind: string, wanted: string, example: string): KeyInfo => ({
   name: "key",
@@ -72,5 +72,30 @@ describe("fields", () => {
   it("show examples without the quotes of the file", () => {
     expect(shownExample('["0 deg", "180 deg"]')).toBe("0 deg, 180 deg");
     expect(shownExample("{ order = [1] }")).toBe("");
+  });
+});
+
+describe("values in fields", () => {
+  it("have the digits that count, where they were computed", () => {
+    expect(shownTyped("94.54220132 kg mm")).toBe("94.5422 kg mm");
+    expect(shownTyped("-0.00094542201327 kg m")).toBe("-0.000945422 kg m");
+    expect(shownTyped("1234567.891 N/m")).toBe("1234568 N/m");
+    expect(shownTyped(["0 deg", "119.999999999 deg"])).toBe("0 deg, 120 deg");
+    expect(shownTyped(0.123456789)).toBe("0.123457");
+    expect(shownTyped("1.23456789e-5 kg m2")).toBe("1.23457e-5 kg m2");
+  });
+
+  it("stay as they are typed", () => {
+    for (const text of [
+      "88.76 kg mm",
+      "101.5995 mm",
+      "0.0045 kg m2",
+      "12345678 N/m",
+      "1/2",
+      "10.000 mm",
+      "v1.2",
+    ])
+      expect(shownTyped(text)).toBe(text);
+    expect(shownTyped(true)).toBe("true");
   });
 });

@@ -14,6 +14,26 @@ export function typed(value: unknown): string {
   return String(value);
 }
 
+/** Digits that count, of a number with more than `LONG` of them: what is computed and not typed. */
+const SHORT = 6;
+const LONG = 7;
+const FRACTION = /^([+-]?)(\d*)\.(\d+)/;
+
+/** A number with its unit, its digits behind the point no more than count. */
+function short(text: string): string {
+  return text.replace(FRACTION, (all, sign: string, whole: string, decimals: string) => {
+    const leading = /^0*$/.test(whole) ? /^0*/.exec(decimals)![0].length : -whole.replace(/^0+/, "").length;
+    if (decimals.length - leading <= LONG) return all;
+    return sign + String(Number(Number(`${whole}.${decimals}`).toFixed(Math.max(0, SHORT + leading))));
+  });
+}
+
+/** As a field shows it out of hand: numbers of the optimiser have more digits in the file than anybody reads. */
+export function shownTyped(value: unknown): string {
+  if (Array.isArray(value)) return value.map(shownTyped).join(", ");
+  return typeof value === "number" || typeof value === "string" ? short(typed(value)) : typed(value);
+}
+
 /** Whether a field of one line can hold it. */
 export function plain(value: unknown): boolean {
   if (Array.isArray(value)) return value.every((item) => typeof item !== "object");
