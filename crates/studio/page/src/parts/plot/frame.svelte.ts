@@ -29,7 +29,7 @@ export interface Shape {
 /** Above, below and beside the ground stand labels [px]. */
 const ABOVE = 24;
 const BELOW = 40;
-const RIGHT = 20;
+export const RIGHT = 20;
 const LEFT = { narrow: 52, wide: 62 };
 const NARROW = 420;
 /** A digit of a label, and what lies between the labels and the ground [px]. */

@@ -149,6 +149,8 @@ describe("a simulated run", () => {
     const sum = (side: typeof from) => side.reduce((all, part) => all + part.energy, 0);
     expect(to.map((part) => part.name)).toEqual(["load", "kinetic energy"]);
     expect(sum(from)).toBe(sum(to));
+    // Rounding is no entry.
+    expect(ledger([...run.energy, { name: "gravity", energy: -3.5e-15 }])).toEqual({ from, to });
     expect(fluctuation(run.speeds)).toBeCloseTo(0.04);
   });
 

@@ -1,5 +1,6 @@
 // What the page draws of a simulated run.
 
+import { below } from "../../state/rounding";
 import type { NamedCurve, SimulationAnswer } from "../../api/types";
 import type { Measure } from "../../state/units.svelte";
 import type { Rule, Series } from "../plot/series";
@@ -104,9 +105,10 @@ export function ledger(parts: SimulationAnswer["energy"]): {
   from: SimulationAnswer["energy"];
   to: SimulationAnswer["energy"];
 } {
+  const rounding = below(...parts.map((part) => part.energy));
   const side = (sign: number) =>
     parts
-      .filter((part) => sign * part.energy > 0)
+      .filter((part) => sign * part.energy > rounding)
       .map((part) => ({ ...part, energy: Math.abs(part.energy) }))
       .sort((a, b) => b.energy - a.energy);
   return { from: side(1), to: side(-1) };
