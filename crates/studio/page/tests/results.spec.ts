@@ -439,7 +439,10 @@ test("the strongest number is first, for what is chosen", async ({ studio, page 
   await expect(force.getByRole("row").nth(1)).toContainText(/2\.\d+ %/);
 
   await page.getByRole("radio", { name: "Mounts" }).check({ force: true });
-  await expect(page.getByRole("region", { name: /mount/i }).first()).toContainText("mount stiffness");
+  await expect(page.getByRole("region", { name: /mount/i }).first()).toContainText("mount stiffness", {
+    // Seconds, and more where other tests have the processors.
+    timeout: 40_000,
+  });
   await page.getByRole("radio", { name: "Peaks on the block" }).check({ force: true });
   await page.getByLabel("every part by itself").check();
   await expect(force).toContainText("throw angle 1");
