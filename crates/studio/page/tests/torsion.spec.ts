@@ -35,6 +35,15 @@ test.describe("an engine with a damper", () => {
       await page.getByRole("button", { name: "As the file says", exact: true }).click();
       await expect(facts).toHaveText(before ?? "");
 
+      // What is tried stands beside what the file has, and nothing below moves.
+      const first = page.locator('figure[data-plot="Twist between nose and flywheel"]');
+      const top = async () => (await first.boundingBox())!.y;
+      const still = await top();
+      await damping.press("End");
+      await expect(facts).toContainText("file: ±");
+      expect(await top()).toBe(still);
+      await page.getByRole("button", { name: "As the file says", exact: true }).click();
+
       await page.getByRole("button", { name: "Find the best setting" }).click();
       await page.getByRole("button", { name: "Try the best" }).click();
       await page.getByRole("button", { name: "Adopt into the engine file" }).click();
