@@ -15,7 +15,7 @@ export function typed(value: unknown): string {
 }
 
 /** Digits that count, of a number with more than `LONG` of them: what is computed and not typed. */
-const SHORT = 6;
+const SHORT = 5;
 const LONG = 7;
 const FRACTION = /^([+-]?)(\d*)\.(\d+)/;
 
