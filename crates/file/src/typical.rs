@@ -14,6 +14,7 @@ mod production;
 mod running;
 mod section;
 mod sizes;
+mod torsion;
 mod words;
 
 pub use kind::EngineKind;
@@ -165,6 +166,7 @@ impl From<'_> {
             TypicalSection::Clearance => self.clearance(&sizes),
             TypicalSection::ShaftWeightDesign => self.shaft_weight_design(),
             TypicalSection::Torsion => self.torsion(&sizes),
+            TypicalSection::Damper => self.damper(&sizes),
             TypicalSection::Simulation => self.simulation(),
         }
     }

@@ -403,7 +403,8 @@ pub struct RuleArguments {
     /// Number of the crankshaft, from 1.
     #[arg(long, value_name = "N", default_value_t = 1)]
     pub crankshaft: usize,
-    /// Speed of crankshaft 1, with its unit; may be given several times. Default: lowest and highest speed of the file.
+    /// Speed of crankshaft 1, with its unit; may be given several times. Default: lowest and highest speed of the file, and between them that of the
+    /// largest torque by torsional vibration.
     #[arg(long, value_name = "SPEED")]
     pub speed: Vec<String>,
     /// Amplitude of the torque that torsional vibration adds to that of a rigid crankshaft: one for all throws, or one for each from the free

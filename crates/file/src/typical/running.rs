@@ -1,4 +1,4 @@
-//! Flywheel, bearings, torsional damping and a run in time.
+//! Flywheel, bearings and a run in time.
 
 use super::sizes::Sizes;
 use super::words::{Block, list, mm, number, quantity};
@@ -97,30 +97,6 @@ impl From<'_> {
         Found::Blocks(vec![first, crankpin, main, film])
     }
 
-    pub(super) fn torsion(&self, sizes: &Sizes<'_>) -> Found {
-        let engine = sizes.engine;
-        if self.has("torsion") {
-            return Found::There;
-        }
-        if engine.crank_body.is_none() {
-            return Found::Not("without [crank.body] the stiffnesses of the crankshaft are not known".into());
-        }
-        // Damping of a throw against the ground goes with what shears oil: pin and piston of one cylinder.
-        let damping = 2.4e3 * sizes.swept / engine.throws.len() as f64;
-        let block = Block::new("[torsion]", "damping of a usual crankshaft without a damper.")
-            .line(
-                "damping",
-                format!("{{ absolute = {}, loss_factor = 0.01 }}", quantity(damping, "N m s/rad", 1.0, 2)),
-                "2.4 N m s/rad for each litre of a throw",
-            )
-            .line(
-                "nose_inertia",
-                quantity(0.08 * crank_inertia(sizes), "kg m2", 1.0, 2),
-                "pulley and wheel of the timing drive: 0.08 of the crankshaft",
-            );
-        Found::Blocks(vec![block])
-    }
-
     pub(super) fn simulation(&self) -> Found {
         if self.has("simulation") {
             return Found::There;
@@ -140,7 +116,7 @@ impl From<'_> {
 }
 
 /// Moment of inertia of all crankshafts with their counterweights [kg m2], about.
-fn crank_inertia(sizes: &Sizes<'_>) -> f64 {
+pub(super) fn crank_inertia(sizes: &Sizes<'_>) -> f64 {
     const STEEL: f64 = 7850.0;
     let engine = sizes.engine;
     let reach = 0.6 * sizes.bore;

@@ -12,7 +12,7 @@ macro_rules! sections {
 
         impl TypicalSection {
             /// All of them, each behind those that it is scaled from.
-            pub const ALL: [TypicalSection; 18] = [$(TypicalSection::$variant,)*];
+            pub const ALL: [TypicalSection; 19] = [$(TypicalSection::$variant,)*];
 
             /// What the file calls it.
             pub fn word(self) -> &'static str {
@@ -40,6 +40,7 @@ sections! {
     Clearance "clearance" "What the crankshaft must stay clear of.",
     ShaftWeightDesign "shaft_weight_design" "Ranges of the shapes of weights on balance shafts.",
     Torsion "torsion" "Damping of torsional vibration.",
+    Damper "damper" "A damper of torsional vibration.",
     Simulation "simulation" "A run in time.",
 }
 

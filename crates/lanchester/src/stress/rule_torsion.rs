@@ -5,6 +5,8 @@ use crate::stress::rule::{CrankRuleError, RuleRequest, crank_rule};
 use crate::torsion_study::{EngineTorsionError, TorsionRequest, torsion};
 use lanchester_file::EngineFile;
 use lanchester_report::{CrankRule, TorsionResult};
+use std::collections::BTreeSet;
+use std::f64::consts::PI;
 
 /// Why there is no such sheet.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -22,7 +24,8 @@ pub enum RuleTorsionError {
 const BESIDE: f64 = 0.02;
 
 /// The sheet of a crankshaft; at each speed every throw has the torque that the shafts beside it in the torsional chain carry, where that is more than
-/// the one of a rigid crankshaft. `request.vibration` does not count.
+/// the one of a rigid crankshaft. `request.vibration` does not count. Without speeds in the request: the lowest, the highest, and between them that of the largest torque
+/// beside the throws.
 ///
 /// # Errors
 /// [`RuleTorsionError`] where the file says too little for either.
@@ -33,6 +36,26 @@ pub fn crank_rule_with_torsion(
 ) -> Result<CrankRule, RuleTorsionError> {
     let engine = &file.engine;
     let still = crank_rule(engine, traces, &RuleRequest { vibration: Vec::new(), ..request.clone() })?;
+    let mut speeds: Vec<f64> = still.speeds.iter().map(|sheet| sheet.speed).collect();
+    let mut between = None;
+    if request.speeds.is_empty() {
+        let found = torsion(
+            file,
+            traces,
+            &TorsionRequest { without_gas: !request.gas, ..TorsionRequest::default() },
+        )?;
+        let throws = still.speeds.iter().flat_map(|sheet| &sheet.throws).map(|own| own.throw - 1);
+        between = most_torque(&found, &throws.collect()).filter(|speed| !speeds.contains(speed));
+        speeds.extend(between);
+        speeds.sort_by(f64::total_cmp);
+    }
+    let still = match between {
+        Some(_) => {
+            let asked = RuleRequest { vibration: Vec::new(), speeds, ..request.clone() };
+            crank_rule(engine, traces, &asked)?
+        }
+        None => still,
+    };
     let mut whole: Option<CrankRule> = None;
     for sheet in &still.speeds {
         let speed = sheet.speed;
@@ -51,6 +74,12 @@ pub fn crank_rule_with_torsion(
     let mut whole = whole.unwrap_or(still);
     let words = "The amplitude of torsional vibration is that of the engine's torsional chain at each speed: what the shafts beside a throw carry in true phase of all orders beyond the \
                  torque of a rigid crankshaft.";
+    whole.notes.extend(between.map(|speed| {
+        format!(
+            "{:.0} rpm lies between the lowest and the highest speed: torsional vibration has its largest torque beside the throws there.",
+            speed * 30.0 / PI
+        )
+    }));
     match whole.notes.iter_mut().find(|note| note.contains("torsional vibration as given")) {
         Some(note) => {
             *note = note.replace(
@@ -88,6 +117,21 @@ pub fn crank_rule_of_file(
             Ok(sheet)
         }
     }
+}
+
+/// Speed at which a shaft beside one of these throws carries the largest torque [rad/s].
+fn most_torque(found: &TorsionResult, throws: &BTreeSet<usize>) -> Option<f64> {
+    let chain = &found.crank.chain;
+    let stations: Vec<usize> =
+        throws.iter().filter_map(|throw| found.crank.throws.get(*throw).copied()).collect();
+    let is_beside = |shaft: &&lanchester_torsion::ShaftSweep| {
+        let own = &chain.shafts()[shaft.shaft];
+        stations.contains(&own.from) || stations.contains(&own.to)
+    };
+    let shafts = found.sweep.shafts.iter().filter(is_beside);
+    let torques = shafts.flat_map(|shaft| shaft.total.iter().copied().enumerate());
+    let (at, _) = torques.max_by(|a, b| a.1.total_cmp(&b.1))?;
+    found.sweep.speeds.get(at).copied()
 }
 
 /// What the shafts beside a throw carry beyond these torques in front and behind [N m], at the middle speed.

@@ -8,7 +8,7 @@ use lanchester::report::rule_text;
 use lanchester::strength::{RangeBreach, RuleFactors, RuleMaterial, rule_throws};
 use lanchester::{
     FatigueRequest, RuleRequest, StaticRequest, StressError, StressLoad, StressMesh, crank_fatigue,
-    crank_rule, static_stress, throw_factors, with_element_factors,
+    crank_rule, crank_rule_with_torsion, static_stress, throw_factors, with_element_factors,
 };
 
 const FILE: &str = r#"
@@ -158,4 +158,34 @@ fn factors_on_too_few_elements_are_refused() {
     let mesh = StressMesh::of(None, 0, None, Some(4), CrankMeshOptions::default());
     let refused = with_element_factors(&engine, rule, &mesh, SolveOptions::default(), &|_| ()).unwrap_err();
     assert_eq!(refused, StressError::CoarseFactors { needed: 6, got: 4 });
+}
+
+/// Between its lowest and its highest speed a crankshaft meets its resonance: the sheet judges it there unless asked for speeds.
+#[test]
+fn the_sheet_finds_the_speed_at_which_torsional_vibration_is_worst() {
+    let text = lanchester::file::template("v8-flat-plane").unwrap().text;
+    let mut file = lanchester::file::complete(text, &[], None).unwrap().text;
+    let end = file.find("[damper]").unwrap();
+    let section = &file[end..];
+    let next = section[1..].find("\n\n").map_or(section.len(), |at| at + 1);
+    file.replace_range(end..end + next, "");
+    let file = lanchester::file::read(&file).file.unwrap();
+    let least = |sheet: &lanchester::report::CrankRule| sheet.decisive().unwrap().least().unwrap().1;
+    let found = crank_rule_with_torsion(&file, &[], &RuleRequest::default()).unwrap();
+    assert_eq!(found.speeds.len(), 3);
+    let range = file.engine.speed;
+    assert_eq!([found.speeds[0].speed, found.speeds[2].speed], [range.lowest, range.highest]);
+    let speeds: Vec<f64> =
+        (0..=60).map(|k| range.lowest + (range.highest - range.lowest) * f64::from(k) / 60.0).collect();
+    let all = crank_rule_with_torsion(&file, &[], &RuleRequest { speeds, ..RuleRequest::default() }).unwrap();
+    let ends = RuleRequest { speeds: vec![range.lowest, range.highest], ..RuleRequest::default() };
+    let ends = crank_rule_with_torsion(&file, &[], &ends).unwrap();
+    assert!(
+        least(&found) < 1.02 * least(&all) && least(&found) < 0.8 * least(&ends),
+        "{} {} {}",
+        least(&found),
+        least(&all),
+        least(&ends)
+    );
+    assert!(found.notes.iter().any(|note| note.contains("rpm lies between")));
 }

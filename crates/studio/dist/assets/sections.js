@@ -890,7 +890,7 @@ f = max over planes of τ_a + k max σ_n                                        
 
 Planes are tried every 10° and searched about to 1e-6 rad. Bending with the amplitude σ_W and torsion with τ_W reach the allowed value exactly. Two safeties: how much all stress may grow, and how much its difference from the mean over the cycle may grow while the mean stays.
 
-\`stress fatigue\` takes these histories from finite elements. Forces on a pin are a pressure over the half of its surface that faces them, so the pattern turns with the force. Unit forces e in 24 directions a₀ < a₁ < ... are solved for each pin, and the centrifugal field once; a force F with the direction a between two of
+\`stress cycle\` judges the stress of (51.11) so, at every node of a fillet over the cycle that was run. \`stress fatigue\` takes these histories from finite elements without vibration. Forces on a pin are a pressure over the half of its surface that faces them, so the pattern turns with the force. Unit forces e in 24 directions a₀ < a₁ < ... are solved for each pin, and the centrifugal field once; a force F with the direction a between two of
 them is their sum:
 
 \`\`\`formula

@@ -4965,7 +4965,7 @@ export type TwoTexts = {
 };
 
 /** A section of the engine file, or a key without which a section says nothing, for which there are typical values. */
-export type TypicalSection = "piston.bore" | "crank.web_distance" | "counterweights.at" | "crank.body" | "crank.material" | "gas" | "friction" | "flywheel" | "bearings" | "block" | "mount" | "tolerances" | "balance" | "counterweight_design" | "clearance" | "shaft_weight_design" | "torsion" | "simulation";
+export type TypicalSection = "piston.bore" | "crank.web_distance" | "counterweights.at" | "crank.body" | "crank.material" | "gas" | "friction" | "flywheel" | "bearings" | "block" | "mount" | "tolerances" | "balance" | "counterweight_design" | "clearance" | "shaft_weight_design" | "torsion" | "damper" | "simulation";
 
 /** Why a criterion has no number. */
 export type Unmeasured = {

@@ -23,6 +23,7 @@ export const TYPICAL: Record<TypicalSection, string> = {
   clearance: "clearance",
   shaft_weight_design: "shapes of shaft weights",
   torsion: "torsion",
+  damper: "damper",
   simulation: "run in time",
 };
 
