@@ -9,11 +9,11 @@
 //! ```
 //! use lanchester_results::{Output, Quantity, Size};
 //!
-//! let output: Output = "forward couple order 1/2".parse()?;
+//! let output: Output = "forward couple order 0.5".parse()?;
 //! assert_eq!((output.quantity, output.size), (Quantity::Couple, Size::Order(0.5)));
 //! assert_eq!(output.unit(), "N m");
 //! assert_eq!(output.title(), "forward couple of order 0.5");
-//! assert_eq!(output.to_string(), "forward couple order 1/2");
+//! assert_eq!(output.to_string(), "forward couple order 0.5");
 //! # Ok::<(), lanchester_results::OutputError>(())
 //! ```
 #![forbid(unsafe_code)]

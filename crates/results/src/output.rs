@@ -183,7 +183,7 @@ impl Output {
         words.extend(self.axis.map(|axis| axis.name().to_owned()));
         words.extend(self.place_name());
         if let Size::Order(order) = self.size {
-            words.push(format!("of order {}", order_title(order)));
+            words.push(format!("of order {}", order_text(order)));
         }
         if self.counted == Counted::All {
             words.push("with gas".to_owned());
@@ -374,22 +374,16 @@ fn read_order(text: &str) -> Result<f64, OutputError> {
     order.ok_or_else(|| OutputError::Order { got: short(text) })
 }
 
-/// An order in a title: decimals where three of them say it all.
-fn order_title(order: f64) -> String {
-    match (1e3 * order).fract() == 0.0 {
-        true => format!("{order}"),
-        false => order_text(order),
-    }
-}
-
-/// An order as people write it: `2`, `1/2`; decimals where no short fraction is the number.
+/// An order as people write it: `2`, `0.5`; a fraction, `2/3`, where three decimals do not say it all.
 pub fn order_text(order: f64) -> String {
+    if (1e3 * order).fract() == 0.0 {
+        return format!("{order}");
+    }
     let fraction = (1..=LARGEST_DENOMINATOR).find_map(|denominator| {
         let numerator = (order * f64::from(denominator)).round();
         (numerator / f64::from(denominator) == order).then_some((numerator, denominator))
     });
     match fraction {
-        Some((numerator, 1)) => format!("{numerator}"),
         Some((numerator, denominator)) => format!("{numerator}/{denominator}"),
         None => format!("{order}"),
     }

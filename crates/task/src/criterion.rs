@@ -328,7 +328,7 @@ fn bad_order(text: &str, number: &str) -> Refusal {
             shown(number.trim())
         ),
         label: "no order".into(),
-        hint: "write it as \"force order 2\" or \"force order 1/2\"".into(),
+        hint: "write it as \"force order 2\" or \"force order 0.5\"".into(),
     }
 }
 

@@ -3,6 +3,7 @@
 use lanchester_geometry::crankshaft::crankshaft;
 use lanchester_model::Engine;
 use lanchester_multibody::{MultibodyError, Train};
+use lanchester_units::{Dimension, readable};
 use num_complex::Complex64;
 
 /// Unbalance in metres and product of inertia in square metres of mass that are rounding.
@@ -38,12 +39,12 @@ pub(crate) fn crank_bodies(
         let unequal = Complex64::new(yy - xx, -2.0 * xy) * turn * turn;
         let rotor = &train.rotors[index];
         notes.push(format!(
-            "{} as a body: {:.4} kg with its centre at z = {:.2} mm; its inertias across the axis are {:.4e} and {:.4e} kg m2 (largest and smallest). {} {}",
+            "{} as a body: {:.4} kg with its centre at z = {:.2} mm; its inertias across the axis are {} and {} (largest and smallest). {} {}",
             shaft.name,
             body.mass.mass,
             1e3 * body.mass.centre[2],
-            0.5 * (xx + yy + unequal.norm()),
-            0.5 * (xx + yy - unequal.norm()),
+            readable(0.5 * (xx + yy + unequal.norm()), Dimension::Inertia),
+            readable(0.5 * (xx + yy - unequal.norm()), Dimension::Inertia),
             departs((first - rotor.first_moment).norm(), (product - rotor.product).norm(), body.mass.mass),
             match as_body {
                 true => "The run takes those of the body.",

@@ -131,7 +131,7 @@ fn looks(simulation: &Simulation, highest: f64) -> usize {
 fn unknown_inertias(engine: &Engine, is_imposed: bool) -> Option<String> {
     let bodies = rotating_bodies(engine);
     let unknown = bodies.iter().filter(|body| body.inertia.is_none() && body.kind != RotatingKind::Flywheel);
-    let named: Vec<String> = unknown.map(|body| format!("{} (`{}`)", body.name, body.key)).collect();
+    let named: Vec<String> = unknown.map(|body| format!("\"{}\" (`{}`)", body.name, body.key)).collect();
     if named.is_empty() {
         return None;
     }

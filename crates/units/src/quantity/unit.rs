@@ -196,7 +196,7 @@ const STANDARD_GRAVITY: f64 = 9.806_65;
 /// 0 degrees Celsius [K].
 const ICE_POINT: f64 = 273.15;
 
-pub(super) static UNITS: [Unit; 113] = {
+pub(super) static UNITS: [Unit; 119] = {
     use Dimension::*;
     [
         unit(Length, "mm", -3, 1.0),
@@ -227,8 +227,10 @@ pub(super) static UNITS: [Unit; 113] = {
         unit(Inertia, "kg m2", 0, 1.0),
         unit(Inertia, "kg mm2", -6, 1.0),
         unit(Inertia, "kg cm2", -4, 1.0),
+        unit(Inertia, "g m2", -3, 1.0),
         unit(Inertia, "g mm2", -9, 1.0),
         unit(Inertia, "lb in2", 0, POUND * INCH * INCH),
+        unit(Inertia, "lbf in s2", 0, POUND * STANDARD_GRAVITY * INCH),
         unit(Share, "%", -2, 1.0),
         unit(Force, "N", 0, 1.0),
         unit(Force, "kN", 3, 1.0),
@@ -302,7 +304,11 @@ pub(super) static UNITS: [Unit; 113] = {
         unit(AngularStiffness, "kN m/rad", 3, 1.0),
         unit(AngularStiffness, "MN m/rad", 6, 1.0),
         unit(AngularStiffness, "N m/deg", 0, 180.0 / PI),
+        unit(AngularStiffness, "lbf in/rad", 0, POUND * STANDARD_GRAVITY * INCH),
+        unit(AngularStiffness, "lbf ft/rad", 0, POUND * STANDARD_GRAVITY * 12.0 * INCH),
         unit(AngularDamping, "N m s/rad", 0, 1.0),
+        unit(AngularDamping, "lbf in s/rad", 0, POUND * STANDARD_GRAVITY * INCH),
+        unit(AngularDamping, "lbf ft s/rad", 0, POUND * STANDARD_GRAVITY * 12.0 * INCH),
         unit(PerSpeed, "1/rpm", 0, 30.0 / PI),
         unit(PerSpeed, "s/rad", 0, 1.0),
         unit(Rate, "1/s", 0, 1.0),

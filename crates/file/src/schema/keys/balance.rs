@@ -22,7 +22,7 @@ pub(super) static BALANCE: Table = Table {
           `couple x`, `couple y`, `roll moment`, `mount force` (the largest of all mounts), `mount force NAME`, both of inertia alone or with the \
           torque of the gas about its mean on mounts with stiffness (`mount force with gas`, `mount force NAME with gas`), \
           `main-bearing load` (the largest of all main bearings, inertia alone), `main-bearing load 3` or `bending moment`; \
-          one order of it with ` order 2` or ` order 1/2` behind; the root mean square over the cycle \
+          one order of it with ` order 2` or ` order 0.5` behind; the root mean square over the cycle \
           `main-bearing load rms` (all main bearings together), `main-bearing load 3 rms` or \
           `largest main-bearing load rms`, the mean `main-bearing load mean` or `main-bearing load 3 mean`; any of these with \
           the gas of the file, `main-bearing load with gas`, `main-bearing load 3 rms with gas`; or \
