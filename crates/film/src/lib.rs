@@ -13,6 +13,7 @@
 //! ```
 #![forbid(unsafe_code)]
 
+mod balance;
 mod banded;
 mod bearing;
 mod cavitation;
@@ -34,6 +35,7 @@ mod solution;
 mod solver;
 mod table;
 
+pub use balance::{BALANCED, FilmEnergy};
 pub use bearing::{CLEARANCE_RATIO, JournalBearing, JournalMotion, VISCOSITY, check_viscosity};
 pub use cavitation::Cavitation;
 pub use contact::{contact_force, contact_with_slope};
@@ -51,8 +53,8 @@ pub use plane::Plane;
 pub use problem::{Feed, FilmProblem};
 pub use shaft::{FloatingShaft, ShaftJournal, ShaftOrbits, ShaftRequest};
 pub use sheet::{
-    BearingFilm, BearingFilmRequest, BearingKind, Carried, FilmOil, FilmSource, ShaftBody, bearing_film,
-    shaft_films,
+    BearingFilm, BearingFilmRequest, BearingKind, Carried, FilmOil, FilmSource, ShaftBody, ShaftRun,
+    bearing_film, shaft_films,
 };
 pub use short::{ocvirk_load, short_bearing_force};
 pub use solution::{FilmSolution, attitude};

@@ -12,7 +12,7 @@ use crate::problem::FilmProblem;
 use crate::solution::FilmSolution;
 use crate::solver::FilmSolver;
 use crate::table::FilmTable;
-use lanchester_numerics::{Outcome, Radau5, Settings, System};
+use lanchester_numerics::{Outcome, Radau5, Settings, Step, System};
 use serde::{Deserialize, Serialize};
 use std::ops::ControlFlow;
 
@@ -267,7 +267,7 @@ fn trace<'a>(request: &OrbitRequest<'a>) -> Result<Traced<'a>, FilmError> {
     let mut system = Orbit { request: *request, scale: bearing.force_scale(request.viscosity) };
     let mut state = vec![0.0; system.dimension()];
     let apart = |a: &Plane, b: &Plane| length([a[0] - b[0], a[1] - b[1]]);
-    let found = repeated(&mut system, &mut state, cycle.load.len(), MOST_PERIODS, apart);
+    let found = repeated(&mut system, &mut state, cycle.load.len(), MOST_PERIODS, apart, |_| ());
     let Repeated { states: orbit, outcome, periods, change, steps, .. } = found;
     Ok(Traced { system, orbit, outcome, periods, change, steps })
 }
@@ -284,14 +284,15 @@ pub(crate) struct Repeated<const D: usize> {
     pub reached: usize,
 }
 
-/// Integrates period after period, each of length 1, until `apart` two neighbouring ones is less than [`REPEATS`] at every one of `n` instants. The first
-/// half of a state with rates, or all of one without, has the tolerance of a place.
+/// Integrates period after period, each of length 1, until `apart` two neighbouring ones is less than [`REPEATS`] at every one of `n` instants; `watch` is shown
+/// every step. The first half of a state with rates, or all of one without, has the tolerance of a place.
 pub(crate) fn repeated<const D: usize>(
     system: &mut impl System,
     state: &mut [f64],
     n: usize,
     most: usize,
     apart: impl Fn(&[f64; D], &[f64; D]) -> f64,
+    mut watch: impl FnMut(&Step),
 ) -> Repeated<D> {
     let mut settings = Settings::uniform(state.len(), 1e-5);
     settings.longest_step = 0.02;
@@ -307,6 +308,7 @@ pub(crate) fn repeated<const D: usize>(
         let start = s;
         let mut now = vec![[0.0; D]; n];
         let end = integrator.run(system, &mut s, state, start + 1.0, |step| {
+            watch(step);
             while next < n && start + next as f64 / n as f64 <= step.to {
                 let at = start + next as f64 / n as f64;
                 now[next] = std::array::from_fn(|k| step.component(k, at));

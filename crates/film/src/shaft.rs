@@ -6,6 +6,7 @@
 //! ```
 //! So the films share the loads among as many bearings as there are. By Radau IIA, in time over the period.
 
+use crate::balance::{FilmEnergy, Powers, Sums};
 use crate::bearing::{JournalBearing, check_viscosity};
 use crate::contact::contact_force;
 use crate::error::{FilmError, require};
@@ -13,9 +14,9 @@ use crate::orbit::{
     Along, FilmOrbit, JournalCycle, OrbitOutcome, OrbitRequest, Repeated, check_cycle, cubic, films_along,
     repeated,
 };
-use crate::plane::{Plane, add, direction, length, quarter};
+use crate::plane::{Plane, add, direction, dot, length, quarter};
 use crate::table::FilmTable;
-use lanchester_numerics::System;
+use lanchester_numerics::{Step, System};
 
 /// Most periods until the orbits repeat.
 const MOST_PERIODS: usize = 40;
@@ -61,6 +62,8 @@ pub struct ShaftOrbits {
     pub loads: Vec<Vec<Plane>>,
     /// Slopes of the shaft's axis at every instant [rad].
     pub slopes: Vec<Plane>,
+    /// Work and energy over the last period; `None` where it ended early.
+    pub energy: Option<FilmEnergy>,
 }
 
 /// The shaft as it moves.
@@ -90,13 +93,52 @@ impl Shaft<'_> {
 
     /// Film and contact on a journal [N]; `None` where the film has no thickness.
     fn force(&self, index: usize, s: f64, place: Plane, rate: Plane) -> Option<Plane> {
-        let ShaftJournal { bearing, table, cycle, .. } = self.request.journals[index];
-        let ratio = place.map(|part| part / bearing.clearance);
-        let closing = add(rate, -cycle.entrainment_at(s), quarter(place));
-        let film = table.impedance(ratio, closing).ok()?.force;
-        let (along, size) = direction(ratio);
-        let contact = contact_force(&bearing, self.request.roughness, size);
-        Some([0, 1].map(|k| self.scales[index] * film[k] - contact * along[k]))
+        let closing = self.closing(index, s, place, rate);
+        Some(add(self.film(index, place, closing)?, 1.0, self.contact(index, place)))
+    }
+
+    /// Motion as the film sees it [m/s].
+    fn closing(&self, index: usize, s: f64, place: Plane, rate: Plane) -> Plane {
+        add(rate, -self.request.journals[index].cycle.entrainment_at(s), quarter(place))
+    }
+
+    fn film(&self, index: usize, place: Plane, closing: Plane) -> Option<Plane> {
+        let ShaftJournal { bearing, table, .. } = self.request.journals[index];
+        let film = table.impedance(place.map(|part| part / bearing.clearance), closing).ok()?.force;
+        Some(film.map(|part| self.scales[index] * part))
+    }
+
+    fn contact(&self, index: usize, place: Plane) -> Plane {
+        let bearing = &self.request.journals[index].bearing;
+        let (along, size) = direction(place.map(|part| part / bearing.clearance));
+        let contact = contact_force(bearing, self.request.roughness, size);
+        along.map(|part| -contact * part)
+    }
+
+    /// Rates of place and slope [m/s, rad/s].
+    fn rates(&self, y: &[f64]) -> [f64; 4] {
+        [0, 1, 2, 3].map(|k| self.units[k] * y[4 + k] / self.duration)
+    }
+
+    /// Powers at a place over the period; `None` where a film has no thickness.
+    fn powers(&self, s: f64, y: &[f64]) -> Option<Powers> {
+        let loads = self.load(s).iter().zip(self.rates(y)).map(|(load, rate)| load * rate).sum();
+        let mut found = Powers { loads, ..Powers::default() };
+        for (index, journal) in self.request.journals.iter().enumerate() {
+            let (place, rate) = self.journal(journal.z, y);
+            let closing = self.closing(index, s, place, rate);
+            let film = self.film(index, place, closing)?;
+            found.turning += journal.cycle.entrainment_at(s) * dot(film, quarter(place));
+            found.films -= dot(film, closing);
+            found.contact -= dot(self.contact(index, place), rate);
+        }
+        Some(found)
+    }
+
+    /// Kinetic energy without that of the turning [J].
+    fn kinetic(&self, y: &[f64]) -> f64 {
+        let [x, y, a, b] = self.rates(y).map(|rate| 0.5 * rate * rate);
+        self.request.mass * (x + y) + self.request.inertia * (a + b)
     }
 
     /// Periodic cubic through the loads.
@@ -109,7 +151,7 @@ impl Shaft<'_> {
     }
 }
 
-impl System for Shaft<'_> {
+impl System for &Shaft<'_> {
     fn dimension(&self) -> usize {
         8
     }
@@ -218,7 +260,11 @@ impl<'a> FloatingShaft<'a> {
             };
             journals.iter().map(apart).fold(0.0, f64::max)
         };
-        let found = repeated(&mut self.system, &mut self.state, n, MOST_PERIODS, apart);
+        let (mut sums, shaft) = (Sums::default(), &self.system);
+        let watch = |step: &Step| {
+            sums.add(step, duration, n, |s, y| shaft.powers(s, y), |y| shaft.kinetic(y));
+        };
+        let found = repeated(&mut &self.system, &mut self.state, n, MOST_PERIODS, apart, watch);
         let Repeated { mut states, outcome, periods, change, steps, reached } = found;
         if outcome == OrbitOutcome::Overloaded {
             // What was not reached stays where the last instant was.
@@ -271,7 +317,8 @@ impl<'a> FloatingShaft<'a> {
             orbits.push(found);
             loads.push(carried);
         }
-        Ok(ShaftOrbits { outcome, orbits, loads, slopes })
+        let energy = sums.balance().filter(|_| outcome != OrbitOutcome::Overloaded);
+        Ok(ShaftOrbits { outcome, orbits, loads, slopes, energy })
     }
 }
 
@@ -338,6 +385,47 @@ mod tests {
     }
 
     #[test]
+    fn energies_balance_while_orbits_settle_and_when_they_repeat() {
+        let (table, cycle) = (FilmTable::new(0.4, Cavitation::Gumbel).expect("a table"), cycle(3000.0, 0.0));
+        // Bearings at unequal distances: the shaft tilts, and turns about its own axis while it does.
+        let journals =
+            [-0.05, 0.03].map(|z| ShaftJournal { z, bearing: bearing(), table: &table, cycle: &cycle });
+        let request = ShaftRequest {
+            journals: &journals,
+            mass: 100.0,
+            inertia: 0.3,
+            polar: 0.2,
+            speed: 314.0,
+            roughness: 0.0,
+        };
+        let mut floating = FloatingShaft::new(&request).expect("a shaft");
+        let found = floating.run(&[VISCOSITY; 2], false).expect("orbits");
+        let energy = found.energy.expect("it repeats");
+        assert!(energy.error() < 1e-5, "{energy:?}");
+        assert!(energy.films > 0.0 && energy.loads > 0.0 && energy.turning > 0.0, "{energy:?}");
+        assert!(energy.change.abs() < 1e-6 * energy.turnover, "what repeats has changed nothing: {energy:?}");
+        // From a start that moves, over one period.
+        let shaft = &floating.system;
+        let start = [0.3, -0.2, 0.1, 0.2, 20.0, -10.0, 15.0, 10.0];
+        let balance = |mass: f64| {
+            let (mut sums, mut state) = (Sums::default(), start);
+            let kinetic = |y: &[f64]| {
+                let [x, y, a, b] = shaft.rates(y).map(|rate| 0.5 * rate * rate);
+                mass * (x + y) + request.inertia * (a + b)
+            };
+            let watch = |step: &Step| sums.add(step, 0.02, 180, |s, y| shaft.powers(s, y), kinetic);
+            let apart = |_: &[f64; 8], _: &[f64; 8]| 1.0;
+            let found = repeated(&mut &*shaft, &mut state, 180, 1, apart, watch);
+            assert_eq!((found.outcome, found.reached), (OrbitOutcome::NotPeriodic, 180));
+            sums.balance().expect("a film all the way")
+        };
+        let settling = balance(request.mass);
+        assert!(settling.error() < 1e-4 && settling.change < -1e-3 * settling.turnover, "{settling:?}");
+        // Another mass has another energy, which the motion does not balance.
+        assert!(balance(1.5 * request.mass).error() > 1e-4);
+    }
+
+    #[test]
     fn two_bearings_of_a_light_shaft_carry_their_own_loads_and_three_the_sum() {
         let table = FilmTable::new(0.4, Cavitation::Gumbel).expect("a table");
         let cycles = [cycle(2500.0, 0.0), cycle(3500.0, 2.0), cycle(3000.0, 4.0)];
@@ -388,7 +476,7 @@ mod tests {
             shaft.system.scales = vec![bearing().force_scale(VISCOSITY); 2];
             let mut derivative = [0.0; 8];
             // The slope a grows, b does not.
-            shaft.system.derivative(0.1, &[0.1, 0.0, 0.0, 0.0, 0.0, 0.0, 2.0, 0.0], &mut derivative);
+            (&shaft.system).derivative(0.1, &[0.1, 0.0, 0.0, 0.0, 0.0, 0.0, 2.0, 0.0], &mut derivative);
             (derivative, shaft.system.units[2])
         };
         let ((without, _), (with, unit)) = (derivative(0.0), derivative(0.02));

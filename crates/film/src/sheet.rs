@@ -1,5 +1,6 @@
 //! What the film of one bearing of an engine does over the cycle, with its oil's temperature.
 
+use crate::balance::{BALANCED, FilmEnergy};
 use crate::bearing::JournalBearing;
 use crate::cavitation::Cavitation;
 use crate::direct::{DirectOrbit, DirectRequest};
@@ -99,6 +100,34 @@ pub struct Carried {
     pub load: Plane,
     /// Slope of its axis along x and y [rad].
     pub slope: Plane,
+}
+
+/// How a shaft that floats in its films ran.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
+pub struct ShaftRun {
+    /// Number of the crankshaft, from 1.
+    pub crankshaft: usize,
+    /// Model of cavitation.
+    pub cavitation: Cavitation,
+    /// How the orbits ended.
+    pub outcome: OrbitOutcome,
+    /// Periods that were run.
+    pub periods: usize,
+    /// Largest change of an orbit from the last period but one, over the clearance.
+    pub change: f64,
+    /// Energies of the last period; `None` where it ended early.
+    pub energy: Option<FilmEnergy>,
+    /// Missing energy over the turnover.
+    pub energy_error: Option<f64>,
+    /// Steps of all periods.
+    pub steps: u64,
+}
+
+impl ShaftRun {
+    /// Whether its energies balance to 1e-4.
+    pub fn is_balanced(&self) -> bool {
+        self.energy_error.is_some_and(|error| error <= BALANCED)
+    }
 }
 
 /// Where the force of a film comes from.
@@ -227,10 +256,7 @@ fn told(request: &BearingFilmRequest, cycle: &JournalCycle, found: Found) -> Bea
         crankshaft: request.crankshaft,
         number: request.number,
         bearing: request.bearing,
-        cavitation: match request.source {
-            FilmSource::Table(table) => table.cavitation(),
-            FilmSource::Direct { cavitation, .. } => cavitation,
-        },
+        cavitation: request.source.cavitation(),
         viscosity,
         temperature_rise: rise,
         temperature,
@@ -263,7 +289,8 @@ pub struct ShaftBody {
 }
 
 /// The films of all bearings of a rigid shaft that floats in them, each with its heat balance; `requests` with tables, `places` along the shaft from its
-/// centre of mass [m]. The sums of the loads of the requests and of their moments load the shaft, and each film tells the load that it carries.
+/// centre of mass [m]. The sums of the loads of the requests and of their moments load the shaft, and each film tells the load that it carries. With them how
+/// the run ended.
 ///
 /// # Errors
 /// As [`FloatingShaft::new`] and [`FloatingShaft::run`]; [`FilmError::NoLand`] for a film that is not one of a table.
@@ -271,7 +298,7 @@ pub fn shaft_films(
     requests: &[BearingFilmRequest],
     places: &[f64],
     body: ShaftBody,
-) -> Result<Vec<BearingFilm>, FilmError> {
+) -> Result<(Vec<BearingFilm>, ShaftRun), FilmError> {
     let mut journals = Vec::with_capacity(requests.len());
     for (own, z) in requests.iter().zip(places) {
         let FilmSource::Table(table) = own.source else { return Err(FilmError::NoLand) };
@@ -310,8 +337,21 @@ pub fn shaft_films(
     }
     let at = viscosities(&films);
     let found = shaft.run(&at, true)?;
+    let run = match (requests.first(), found.orbits.first()) {
+        (Some(own), Some(orbit)) => ShaftRun {
+            crankshaft: own.crankshaft,
+            cavitation: own.source.cavitation(),
+            outcome: found.outcome,
+            periods: orbit.periods,
+            change: orbit.change,
+            energy: found.energy,
+            energy_error: found.energy.map(|energy| energy.error()),
+            steps: orbit.steps,
+        },
+        _ => return Err(FilmError::NoLand),
+    };
     let each = requests.iter().zip(found.orbits).zip(found.loads).zip(films).zip(at);
-    Ok(each
+    let films = each
         .map(|((((own, orbit), load), temperature), viscosity)| {
             let rise = rise_of(own, &orbit);
             let carried =
@@ -324,7 +364,18 @@ pub fn shaft_films(
                 ..told(own, &cycle, Found { orbit, viscosity, temperature, rise, balanced })
             }
         })
-        .collect())
+        .collect();
+    Ok((films, run))
+}
+
+impl FilmSource<'_> {
+    /// Its model of cavitation.
+    fn cavitation(&self) -> Cavitation {
+        match self {
+            FilmSource::Table(table) => table.cavitation(),
+            FilmSource::Direct { cavitation, .. } => *cavitation,
+        }
+    }
 }
 
 impl FilmOil {

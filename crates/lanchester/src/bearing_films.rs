@@ -3,7 +3,7 @@
 use crate::torque_report::bearing_sizes;
 use lanchester_film::{
     BearingFilm, BearingFilmRequest, BearingKind, Cavitation, DENSITY, Feed, FilmError, FilmOil, FilmSource,
-    FilmTable, JournalBearing, JournalCycle, OilCurve, ShaftBody, bearing_film, check_density,
+    FilmTable, JournalBearing, JournalCycle, OilCurve, ShaftBody, ShaftRun, bearing_film, check_density,
     check_viscosity, oil_grades, shaft_films,
 };
 use lanchester_geometry::crankshaft::crankshaft;
@@ -36,6 +36,9 @@ pub struct BearingFilms {
     pub period: f64,
     /// By bearing and model of cavitation.
     pub films: Vec<BearingFilm>,
+    /// How each crankshaft that floats in its films ran, with its energy balance, by crankshaft and model of cavitation; none where journals have no mass.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub shafts: Vec<ShaftRun>,
     /// What the file does not say and was assumed, and what was left out.
     pub assumptions: Vec<String>,
 }
@@ -52,6 +55,7 @@ impl BearingFilms {
             speed: self.speed,
             period: self.period,
             films: &self.films,
+            shafts: &self.shafts,
             assumptions: &self.assumptions,
         }
     }
@@ -264,11 +268,13 @@ fn films_at(
     let film = |(shaft, members): &(Option<&FloatingShaft>, Vec<usize>)| {
         let requests: Vec<BearingFilmRequest> = members.iter().map(|index| request(*index)).collect();
         let found = match shaft {
-            None => requests.iter().map(bearing_film).collect::<Result<Vec<_>, _>>(),
+            None => {
+                requests.iter().map(bearing_film).collect::<Result<Vec<_>, _>>().map(|films| (films, None))
+            }
             Some(shaft) => {
                 let place = |index: &usize| shaft.places[asked[*index].0.number - 1];
                 let places: Vec<f64> = members.iter().map(place).collect();
-                shaft_films(&requests, &places, shaft.body)
+                shaft_films(&requests, &places, shaft.body).map(|(films, run)| (films, Some(run)))
             }
         };
         let name = match shaft {
@@ -276,10 +282,12 @@ fn films_at(
             Some(shaft) => format!("main bearings of crankshaft {}", shaft.crankshaft),
         };
         let refused = |error| BearingFilmsError::Bearing { bearing: name, error };
-        Ok(members.iter().copied().zip(found.map_err(refused)?).collect::<Vec<_>>())
+        let (films, run) = found.map_err(refused)?;
+        Ok((members.iter().copied().zip(films).collect::<Vec<_>>(), run))
     };
     let found = groups.par_iter().map(film).collect::<Result<Vec<_>, BearingFilmsError>>()?;
-    let mut films: Vec<(usize, BearingFilm)> = found.into_iter().flatten().collect();
+    let (films, runs): (Vec<_>, Vec<Option<ShaftRun>>) = found.into_iter().unzip();
+    let mut films: Vec<(usize, BearingFilm)> = films.into_iter().flatten().collect();
     films.sort_by_key(|(index, _)| *index);
     let films = films.into_iter().map(|(_, film)| film).collect();
     Ok(BearingFilms {
@@ -288,6 +296,7 @@ fn films_at(
         speed: loads.speed,
         period: loads.period,
         films,
+        shafts: runs.into_iter().flatten().collect(),
         assumptions,
     })
 }

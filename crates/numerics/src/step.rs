@@ -1,5 +1,6 @@
 //! One accepted step, with the solution between its ends.
 
+use crate::quadrature::{GAUSS_4, unit_points};
 use crate::radau_table::{C1, C2};
 
 /// One accepted step. Where an event was located within, it ends there.
@@ -50,6 +51,22 @@ impl Step<'_> {
             }
         }
         state.iter_mut().zip(self.start).for_each(|(value, start)| *value += start);
+    }
+
+    /// Shows `add` places, weights and states of the solution: four Gauss points in each of equal pieces of the step that are no longer than `longest`. Sums of
+    /// weight times a function of the solution are its integral over the step. The points lie between those at which Radau IIA holds the equations, so that an
+    /// integral by them checks the solution.
+    pub fn gauss_points(&self, longest: f64, mut add: impl FnMut(f64, f64, &[f64])) {
+        let length = self.to - self.from;
+        let pieces = (length.abs() / longest).ceil().max(1.0);
+        let mut state = vec![0.0; self.start.len()];
+        for piece in 0..pieces as usize {
+            for (place, weight) in unit_points(&GAUSS_4) {
+                let t = self.from + length * (piece as f64 + place) / pieces;
+                self.at(t, &mut state);
+                add(t, length / pieces * weight, &state);
+            }
+        }
     }
 
     /// Component `i` at `t` within the step.

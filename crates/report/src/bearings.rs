@@ -13,7 +13,9 @@ pub(crate) mod tables;
 
 pub use bending::bending_section;
 pub use film_figures::{film_figures, films_over_speed_figure};
-pub use films::{FilmsInput, films_csv, films_over_speed_table, films_section, films_table, films_text};
+pub use films::{
+    FilmsInput, films_csv, films_over_speed_table, films_section, films_table, films_text, shaft_runs_table,
+};
 pub use internal_figure::internal_figures;
 pub use internal_tables::{internal_csv, internal_table, internal_text, mains_table};
 pub use section::{BearingsInput, bearings_section};

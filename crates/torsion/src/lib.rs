@@ -15,6 +15,7 @@ mod crank_chain;
 mod crank_train;
 mod damped;
 mod den_hartog;
+mod energy;
 mod error;
 mod excitation;
 mod forced;
@@ -34,6 +35,7 @@ pub use crank_chain::{CrankChain, CrankChainInput, ThrowParts, crank_chain, thro
 pub use crank_train::{SAMPLES, inertia_orders, torque_orders, train_inertia};
 pub use damped::{DampedMode, damped_modes};
 pub use den_hartog::{BestDamper, best_tuned, best_untuned, fixed_points};
+pub use energy::{BALANCED, ChainEnergy};
 pub use error::{ChainFault, TorsionError};
 pub use excitation::{Excitation, Source, TorqueAt, orders_of};
 pub use holzer::{HolzerRow, HolzerTable, holzer};

@@ -9,6 +9,7 @@
 //! have no time domain, and pendulums swing as their springs say: both sides of a comparison take the viscous damping of the same loss at one frequency ([`as_viscous`]).
 
 use crate::chain::Chain;
+use crate::energy::ChainEnergy;
 use crate::error::TorsionError;
 use crate::excitation::Excitation;
 use crate::sweep::load_station;
@@ -42,6 +43,8 @@ pub struct PeriodicMotion {
     pub twist: f64,
     /// Largest difference of the state after a period and before, over the largest state.
     pub closure: f64,
+    /// Work and energy over the period.
+    pub energy: ChainEnergy,
     /// Newton steps.
     pub steps: usize,
     /// Evaluations of the equations of motion.
@@ -140,44 +143,103 @@ impl Motion<'_> {
         }
     }
 
-    /// State after a period; samples of it where asked for.
+    /// Powers of gas, of the torque that stands for varying inertia, of the load and of the dampers [W].
+    fn powers(&self, t: f64, y: &[f64], load: f64) -> [f64; 4] {
+        let n = self.inertia.len();
+        let (angle, rate) = y.split_at(n);
+        let [mut gas, mut masses, mut damping] = [0.0; 3];
+        for driven in &self.driven {
+            let i = driven.station;
+            let speed = self.speed + rate[i];
+            let from = if self.varies { angle[i] } else { 0.0 };
+            let [own, of_masses, ..] = self.at(driven, self.speed * t + from);
+            gas += own * speed;
+            if !self.varies {
+                masses += of_masses * self.speed * self.speed * speed;
+            }
+        }
+        for (c, rate) in self.ground.iter().zip(rate) {
+            damping += c * rate * (self.speed + rate);
+        }
+        for (shaft, [_, c]) in self.chain.shafts().iter().zip(&self.links) {
+            damping += c * (rate[shaft.from] - rate[shaft.to]).powi(2);
+        }
+        [gas, masses, load * (self.speed + rate[self.load_at]), damping]
+    }
+
+    /// Kinetic and elastic energy [J].
+    fn energy(&self, t: f64, y: &[f64]) -> f64 {
+        let n = self.inertia.len();
+        let (angle, rate) = y.split_at(n);
+        let mut inertia = self.inertia.clone();
+        if self.varies {
+            for driven in &self.driven {
+                let [_, _, varying, _] = self.at(driven, self.speed * t + angle[driven.station]);
+                inertia[driven.station] += varying;
+            }
+        }
+        let kinetic: f64 = inertia.iter().zip(rate).map(|(j, rate)| j * (self.speed + rate).powi(2)).sum();
+        let links = self.chain.shafts().iter().zip(&self.links);
+        let elastic: f64 =
+            links.map(|(shaft, [k, _])| k * (angle[shaft.from] - angle[shaft.to]).powi(2)).sum();
+        0.5 * (kinetic + elastic)
+    }
+
+    /// State after a period; samples and energies of it where asked for.
     fn period(
         &self,
         start: &[f64],
         load: f64,
         evaluations: &mut u64,
-        samples: Option<&mut Vec<Vec<f64>>>,
+        recorded: Option<&mut Recorded>,
     ) -> Result<Vec<f64>, TorsionError> {
         let n = start.len();
         let period = TAU / (self.step * self.speed);
         let mut settings = Settings::uniform(n, TOLERANCE);
         settings.absolute = (0..n).map(|i| if i < n / 2 { 1e-13 } else { 1e-13 * self.speed }).collect();
-        settings.dense = samples.is_some();
+        settings.dense = recorded.is_some();
         let mut system = Function::new(n, |t, y: &[f64], dy: &mut [f64]| self.derivative(t, y, dy, load));
         let mut solver = Dop853::new(settings);
         let (mut t, mut y) = (0.0, start.to_vec());
         let mut next = 0;
-        let mut list = samples;
+        let mut recorded = recorded;
         let mut state = vec![0.0; n];
         let outcome = solver.run(&mut system, &mut t, &mut y, period, |step| {
-            if let Some(list) = list.as_mut() {
+            if let Some(recorded) = recorded.as_mut() {
                 while next < SAMPLES && period * next as f64 / SAMPLES as f64 <= step.to {
                     step.at(period * next as f64 / SAMPLES as f64, &mut state);
-                    list.push(state.clone());
+                    recorded.states.push(state.clone());
                     next += 1;
                 }
+                let energy = &mut recorded.energy;
+                step.gauss_points(period / SAMPLES as f64, |t, time, y| {
+                    energy.add(time, self.powers(t, y, load))
+                });
             }
             ControlFlow::Continue(())
         });
         *evaluations += solver.statistics().evaluations;
         match outcome {
-            Outcome::Reached => Ok(y),
+            Outcome::Reached => {
+                if let Some(recorded) = recorded {
+                    recorded.energy =
+                        recorded.energy.closed(self.energy(period, &y) - self.energy(0.0, start));
+                }
+                Ok(y)
+            }
             other => Err(TorsionError::NotPeriodic {
                 speed: self.speed,
                 why: format!("the integration ended with {other:?}"),
             }),
         }
     }
+}
+
+/// What a period leaves behind.
+struct Recorded {
+    /// States at [`SAMPLES`] instants.
+    states: Vec<Vec<f64>>,
+    energy: ChainEnergy,
 }
 
 /// Periodic motion at the mean speed `speed` [rad/s] by shooting: the state at the start and the load are those after which the state repeats. With `varies`
@@ -304,8 +366,9 @@ pub fn periodic_motion(
             why: format!("after {steps} steps the state misses itself by {closure:.1e} of its size"),
         });
     }
-    let mut states = Vec::with_capacity(SAMPLES);
-    motion.period(&x[..2 * n], x[2 * n], &mut evaluations, Some(&mut states))?;
+    let mut recorded = Recorded { states: Vec::with_capacity(SAMPLES), energy: ChainEnergy::default() };
+    motion.period(&x[..2 * n], x[2 * n], &mut evaluations, Some(&mut recorded))?;
+    let Recorded { states, energy } = recorded;
     let half = |of: &dyn Fn(&[f64]) -> f64| {
         let (low, high) = states
             .iter()
@@ -326,6 +389,7 @@ pub fn periodic_motion(
         twist: half(&|y| y[nose] - y[held]),
         angles: (0..n).map(|i| states.iter().map(|state| state[i] * ratio(i)).collect()).collect(),
         closure,
+        energy,
         steps,
         evaluations,
     })

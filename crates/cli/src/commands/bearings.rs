@@ -7,7 +7,7 @@ use crate::files::{print, tell};
 use crate::format::Format;
 use crate::options::torque::{BearingsArguments, FilmOption, PartOption};
 use crate::trace_files::trace_files;
-use lanchester::film::{BearingFilm, BearingKind, Cavitation, OrbitOutcome};
+use lanchester::film::{BALANCED, BearingFilm, BearingKind, Cavitation, OrbitOutcome};
 use lanchester::mechanism::{BearingLoads, BearingPart, BearingRequest};
 use lanchester::model::Engine;
 use lanchester::report::{
@@ -131,16 +131,31 @@ fn films(
     let films = bearing_films(engine, loads, models, method).map_err(Failure::refused)?;
     draw(&film_figures(films.period, &films.films))?;
     let text = match format {
-        Format::Text => films_text(&films.engine, films.speed, &films.films, &films.assumptions),
+        Format::Text => films_text(&films.engine, &films.input()),
         Format::Json => json(&films)?,
         Format::Csv => films_csv(films.period, &films.films),
     };
     Ok((text, vec![films]))
 }
 
-/// Says which film is thinner than wanted, or not one to go by.
+/// Says which run is not balanced, which film is thinner than wanted, or not one to go by.
 fn verdict(found: &[BearingFilms], wanted: Option<f64>) -> u8 {
-    let Some(wanted) = wanted else { return DONE };
+    let mut status = DONE;
+    for films in found {
+        for run in films.shafts.iter().filter(|run| run.outcome != OrbitOutcome::Overloaded) {
+            if !run.is_balanced() {
+                tell(format_args!(
+                    "energies of crankshaft {} at {:.0} rpm, {}, do not balance: {:.1e} of the turnover is missing, allowed is {BALANCED:.0e}",
+                    run.crankshaft,
+                    films.speed * 30.0 / std::f64::consts::PI,
+                    run.cavitation.name(),
+                    run.energy_error.unwrap_or(f64::NAN)
+                ));
+                status = NOT_AS_EXPECTED;
+            }
+        }
+    }
+    let Some(wanted) = wanted else { return status };
     let all = || found.iter().flat_map(|films| films.films.iter().map(|film| (films.speed, film)));
     let place = |speed: f64, film: &BearingFilm| {
         let kind = match film.kind {
@@ -154,7 +169,6 @@ fn verdict(found: &[BearingFilms], wanted: Option<f64>) -> u8 {
             film.cavitation.name()
         )
     };
-    let mut status = DONE;
     if let Some((speed, film)) = all().find(|(_, film)| film.orbit.outcome != OrbitOutcome::Periodic) {
         tell(format_args!(
             "the least film is not known: {}: {}",
@@ -197,7 +211,7 @@ fn films_over_speed(
     let found = bearing_films_over_speed(engine, loads, models, method).map_err(Failure::refused)?;
     let by_speed: Vec<_> = found.iter().map(|films| (films.speed, films.films.as_slice())).collect();
     draw(&films_over_speed_figure(&by_speed).into_iter().collect::<Vec<_>>())?;
-    let table = films_over_speed_table(&by_speed);
+    let table = films_over_speed_table(&found.iter().map(BearingFilms::input).collect::<Vec<_>>());
     let text = match format {
         Format::Text => table.text(),
         Format::Json => json(&found)?,

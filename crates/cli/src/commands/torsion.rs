@@ -14,12 +14,12 @@ use lanchester::flex::statics::SolveOptions;
 use lanchester::model::Engine;
 use lanchester::report::{
     MeshedThrow, Table, TorsionResult, chain_table, critical_table, damped_mode_table, damper_table,
-    holzer_table, meshed_throws_table, mode_table, shaft_order_table, shaft_table, star_table, time_table,
-    torsion_brief, torsion_csv, torsion_figures, torsion_inertia_table, torsion_speed_table, torsion_text,
-    tuning_table, twist_order_table,
+    holzer_table, meshed_throws_table, mode_table, shaft_order_table, shaft_table, star_table,
+    time_energy_table, time_table, torsion_brief, torsion_csv, torsion_figures, torsion_inertia_table,
+    torsion_speed_table, torsion_text, tuning_table, twist_order_table,
 };
 use lanchester::task::option;
-use lanchester::torsion::{TuneAim, TuneFree};
+use lanchester::torsion::{BALANCED, TuneAim, TuneFree};
 use lanchester::value_list;
 use lanchester::{TorsionRequest, meshed_throws, torsion};
 
@@ -49,11 +49,19 @@ pub fn run(arguments: &TorsionArguments, colour: bool) -> Result<u8, Failure> {
         (None, Format::Text) => arguments.printed.text(|| torsion_text(&found), || torsion_brief(&found)),
     };
     print(&text)?;
-    if found.is_within() {
-        return Ok(DONE);
+    let mut status = DONE;
+    if let Some(check) = found.time.as_ref().filter(|check| !check.is_balanced()) {
+        tell(format_args!(
+            "energies of the check in time do not balance: {:.1e} of the turnover is missing, allowed is {BALANCED:.0e}",
+            check.energy_error()
+        ));
+        status = NOT_AS_EXPECTED;
     }
-    tell("a limit of [torsion] is not kept, or not known to be");
-    Ok(NOT_AS_EXPECTED)
+    if !found.is_within() {
+        tell("a limit of [torsion] is not kept, or not known to be");
+        status = NOT_AS_EXPECTED;
+    }
+    Ok(status)
 }
 
 /// Size of the elements of throws where nobody says [m].
@@ -124,7 +132,12 @@ fn tables(found: &TorsionResult, table: TorsionTable) -> Result<Vec<Table>, Fail
         TorsionTable::Damper => some(damper_table(found), "the engine has no damper", "give [damper]")?,
         TorsionTable::Tuning => some(tuning_table(found), "no damper was tuned", "add `--tune damper`")?,
         TorsionTable::Time => {
-            some(time_table(found), "no check in time was asked for", "add `--check '2000 rpm'`")?
+            let times = [time_table(found), time_energy_table(found)];
+            let found: Vec<Table> = times.into_iter().flatten().collect();
+            let is_asked = !found.is_empty();
+            is_asked
+                .then_some(found)
+                .ok_or_else(|| Failure::input("no check in time was asked for", "add `--check '2000 rpm'`"))?
         }
     })
 }

@@ -218,6 +218,8 @@ fn time_check(chain: &Chain, excitation: &Excitation, speed: f64) -> Result<Time
     let of = |motion: &lanchester_torsion::PeriodicMotion| TimeAmplitudes {
         torques: motion.torques.clone(),
         twist: motion.twist,
+        energy: Some(motion.energy),
+        energy_error: Some(motion.energy.error()),
     };
     Ok(TimeCheck {
         speed,
@@ -225,6 +227,8 @@ fn time_check(chain: &Chain, excitation: &Excitation, speed: f64) -> Result<Time
         orders: TimeAmplitudes {
             torques: orders.shafts.iter().map(|shaft| shaft.total[0]).collect(),
             twist: orders.twist.total[0],
+            energy: None,
+            energy_error: None,
         },
         evaluations: linear.evaluations + varying.evaluations,
         linear: of(&linear),

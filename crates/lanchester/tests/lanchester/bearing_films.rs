@@ -179,6 +179,14 @@ fn a_rigid_crankshaft_shares_its_loads_among_its_films() {
     let largest = |films: &BearingFilms, number: usize| of(films, BearingKind::Main)[number - 1].largest_load;
     assert!(largest(&shared, 3) < 0.5 * largest(&alone, 3), "{} {}", largest(&shared, 3), largest(&alone, 3));
     assert!(largest(&shared, 1) > largest(&shared, 3));
+    let [run] = shared.shafts[..] else { panic!("one crankshaft, one model: {:?}", shared.shafts) };
+    let energy = run.energy.expect("it repeats");
+    assert_eq!(
+        (run.crankshaft, run.cavitation, run.outcome),
+        (1, Cavitation::Gumbel, OrbitOutcome::Periodic)
+    );
+    assert!(run.is_balanced() && run.energy_error == Some(energy.error()) && energy.films > 0.0, "{run:?}");
+    assert!(alone.shafts.is_empty(), "without mass there is no energy to balance");
     assert!(shared.assumptions.iter().any(|words| words.contains("floats in the films")));
 }
 

@@ -201,6 +201,11 @@ fn tuned_damper_is_no_worse_than_the_given_one_and_time_agrees() {
             "{orders} by orders, {linear} in time: samples of a period"
         );
     }
+    assert!(time.is_balanced() && time.orders.energy.is_none(), "{}", time.energy_error());
+    for own in [&time.linear, &time.varying] {
+        let energy = own.energy.expect("in time");
+        assert!(own.energy_error == Some(energy.error()) && energy.damping > 0.0, "{energy:?}");
+    }
     // Inertia that varies by some percent.
     assert!(
         (time.varying.twist / time.linear.twist - 1.0).abs() < 0.15,

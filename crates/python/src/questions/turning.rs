@@ -12,8 +12,8 @@ use lanchester::report::{
     Figure, Table, bearing_figures, bearing_parts_table, bearings_text, cycle_angle_table, cycle_figures,
     cycle_table, cylinder_work_table, film_figures, films_table, films_text, firing_table, flywheel_table,
     main_bearings_table, power_figure, power_table, ripple_figure, ripple_table, rod_bearings_tables,
-    stroke_table, torque_extremes_table, torque_figures, torque_orders_table, torque_speeds_table,
-    torque_table, torque_text,
+    shaft_runs_table, stroke_table, torque_extremes_table, torque_figures, torque_orders_table,
+    torque_speeds_table, torque_table, torque_text,
 };
 use lanchester::{
     BearingFilms, FilmMethod, TorqueReport, TorqueReportRequest, bearing_films, bearing_report,
@@ -206,8 +206,12 @@ fn read_films(options: &Options<'_>) -> Result<Run, Failure> {
             found,
             own,
             Shown {
-                text: |found, _| films_text(&found.engine, found.speed, &found.films, &found.assumptions),
-                tables: |found, _| vec![films_table(&found.films)],
+                text: |found, _| films_text(&found.engine, &found.input()),
+                tables: |found, _| {
+                    std::iter::once(films_table(&found.films))
+                        .chain(shaft_runs_table(&found.shafts))
+                        .collect()
+                },
                 figures: |found, _| film_figures(found.period, &found.films),
                 ..Shown::default()
             },

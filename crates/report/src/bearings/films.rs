@@ -5,8 +5,8 @@ use crate::bearings::film_name::bearing_name;
 use crate::kit::number;
 use crate::kit::paragraph::push_wrapped;
 use crate::kit::section::Section;
-use crate::kit::table::{Table, numbers, words};
-use lanchester_film::{BearingFilm, BearingKind, Cavitation, OrbitOutcome};
+use crate::kit::table::{Cell, Column, Table, numbers, words};
+use lanchester_film::{BearingFilm, BearingKind, Cavitation, OrbitOutcome, ShaftRun};
 use std::f64::consts::PI;
 
 /// Rise of temperature that no oil survives [K].
@@ -88,18 +88,76 @@ fn remarks(film: &BearingFilm) -> String {
     out.join("; ")
 }
 
-/// Least film of every bearing over speed [um]: by speed [rad/s] the same bearings in the same order.
-pub fn films_over_speed_table(speeds: &[(f64, &[BearingFilm])]) -> Table {
-    let mut columns = vec![numbers("speed", "1/min", speeds.iter().map(|(speed, _)| number::rpm(*speed)), 4)];
-    let first = speeds.first().map_or(&[][..], |(_, films)| *films);
+/// How the run of every floating crankshaft ended, with its energies; `None` without one.
+pub fn shaft_runs_table(shafts: &[ShaftRun]) -> Option<Table> {
+    if shafts.is_empty() {
+        return None;
+    }
+    let energy = |header: &str, digits, of: fn(&lanchester_film::FilmEnergy) -> f64| {
+        let cells = shafts.iter().map(|run| match &run.energy {
+            Some(energy) => Cell::number(of(energy), digits),
+            None => Cell::Empty,
+        });
+        (Column::numbers(header, "J"), cells.collect())
+    };
+    let count = |header: &str, of: fn(&ShaftRun) -> f64| {
+        let cells = shafts.iter().map(|run| Cell::Number { value: of(run), decimals: 0 });
+        (Column::numbers(header, ""), cells.collect())
+    };
+    let outcome = |run: &ShaftRun| match run.outcome {
+        OrbitOutcome::Periodic => "repeat".to_owned(),
+        OrbitOutcome::NotPeriodic => "do not repeat".to_owned(),
+        OrbitOutcome::Overloaded => "overloaded".to_owned(),
+    };
+    Some(Table::of_columns(
+        "film-runs",
+        "How the orbits ended",
+        "Change: of orbits over the clearance, from the last period but one. Energies over the last period: work of the loads and of the turning journals, losses in the films by \
+         the flow that their pressure drives, contact. Energy missing: work less losses, contact and change of kinetic energy, over the sum of the sizes of all powers. Shear in the \
+         films is not in the balance, since its torque does not move the shaft aside.",
+        vec![
+            words("crankshaft", shafts.iter().map(|run| run.crankshaft.to_string())),
+            words("cavitation", shafts.iter().map(|run| run.cavitation.name().to_owned())),
+            words("orbits", shafts.iter().map(outcome)),
+            count("periods", |run| run.periods as f64),
+            words("orbits change", shafts.iter().map(|run| format!("{:.1e}", run.change))),
+            energy("loads", 5, |energy| energy.loads),
+            energy("turning", 5, |energy| energy.turning),
+            energy("films", 5, |energy| energy.films),
+            energy("contact", 3, |energy| energy.contact),
+            energy("change", 3, |energy| energy.change),
+            words("energy missing", shafts.iter().map(|run| missing_words(run.energy_error))),
+            count("steps", |run| run.steps as f64),
+        ],
+    ))
+}
+
+/// Missing energy over the turnover.
+fn missing_words(error: Option<f64>) -> String {
+    error.map_or_else(String::new, |error| format!("{error:.1e}"))
+}
+
+/// Least film of every bearing over speed [um]: at each speed the same bearings in the same order. With crankshafts that float in their films the largest missing
+/// energy of their runs.
+pub fn films_over_speed_table(speeds: &[FilmsInput<'_>]) -> Table {
+    let mut columns = vec![numbers("speed", "1/min", speeds.iter().map(|own| number::rpm(own.speed)), 4)];
+    let first = speeds.first().map_or(&[][..], |own| own.films);
     let several = first.iter().any(|film| film.cavitation != first[0].cavitation);
     for (k, film) in first.iter().enumerate() {
         let name = bearing_name(film);
         let name = if several { format!("{name}, {}", film.cavitation.name()) } else { name };
         let least = speeds
             .iter()
-            .map(|(_, films)| films.get(k).map_or(f64::NAN, |film| 1e6 * film.orbit.least_anywhere()));
+            .map(|own| own.films.get(k).map_or(f64::NAN, |film| 1e6 * film.orbit.least_anywhere()));
         columns.push(numbers(&name, "um", least, 4));
+    }
+    if speeds.iter().any(|own| !own.shafts.is_empty()) {
+        let largest = |own: &FilmsInput<'_>| {
+            let errors = || own.shafts.iter().map(|run| run.energy_error);
+            // A run that ended early has none, and then there is no largest.
+            errors().all(|error| error.is_some()).then(|| errors().flatten().fold(0.0, f64::max))
+        };
+        columns.push(words("energy missing", speeds.iter().map(|own| missing_words(largest(own)))));
     }
     Table::of_columns("films-over-speed", "Least film over speed", "Over the cycle at each speed.", columns)
 }
@@ -113,6 +171,8 @@ pub struct FilmsInput<'a> {
     pub period: f64,
     /// By bearing and model of cavitation.
     pub films: &'a [BearingFilm],
+    /// Runs of crankshafts that float in their films.
+    pub shafts: &'a [ShaftRun],
     /// What was assumed and left out.
     pub assumptions: &'a [String],
 }
@@ -125,7 +185,7 @@ pub fn films_section(input: &FilmsInput<'_>) -> Option<Section> {
         Section::new("oil-films", "Oil films", "Oil films of the bearings")
             .lead(least_words(input.speed, least))
             .rows(film_figures(input.period, input.films))
-            .tables([films_table(input.films)])
+            .tables(std::iter::once(films_table(input.films)).chain(shaft_runs_table(input.shafts)))
             .paragraphs(input.assumptions.iter().map(|words| format!("{}.", number::capital(words)))),
     )
 }
@@ -160,7 +220,8 @@ fn least_words(speed: f64, film: &BearingFilm) -> String {
 }
 
 /// The thinnest film of every model, then the table with what was assumed.
-pub fn films_text(engine: &str, speed: f64, films: &[BearingFilm], assumptions: &[String]) -> String {
+pub fn films_text(engine: &str, input: &FilmsInput<'_>) -> String {
+    let FilmsInput { speed, films, shafts, assumptions, .. } = *input;
     let rpm = number::terminal(number::rpm(speed), 0);
     let mut out = format!("{engine} at {rpm} rpm: oil films\n\n");
     let mut models: Vec<Cavitation> = Vec::new();
@@ -184,6 +245,10 @@ pub fn films_text(engine: &str, speed: f64, films: &[BearingFilm], assumptions: 
     }
     out.push('\n');
     out.push_str(&films_table(films).text());
+    if let Some(table) = shaft_runs_table(shafts) {
+        out.push('\n');
+        out.push_str(&table.noted_text());
+    }
     for assumption in assumptions {
         out.push('\n');
         push_wrapped(&mut out, "", assumption);

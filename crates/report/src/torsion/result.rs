@@ -1,7 +1,7 @@
 //! Torsional vibration of an engine as a result.
 
 use lanchester_torsion::{
-    Campbell, CrankChain, DampedMode, HolzerTable, Mode, OrderStar, Sweep, TunedDamper,
+    BALANCED, Campbell, ChainEnergy, CrankChain, DampedMode, HolzerTable, Mode, OrderStar, Sweep, TunedDamper,
 };
 use serde::Serialize;
 
@@ -123,6 +123,24 @@ pub struct TimeAmplitudes {
     pub torques: Vec<f64>,
     /// Twist between nose and flywheel [rad].
     pub twist: f64,
+    /// In time: work and energy over the period.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub energy: Option<ChainEnergy>,
+    /// In time: missing energy over the turnover.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub energy_error: Option<f64>,
+}
+
+impl TimeCheck {
+    /// Largest missing energy over the turnover of both motions in time.
+    pub fn energy_error(&self) -> f64 {
+        [&self.linear, &self.varying].into_iter().filter_map(|own| own.energy_error).fold(0.0, f64::max)
+    }
+
+    /// Whether both balance to 1e-4.
+    pub fn is_balanced(&self) -> bool {
+        self.energy_error() <= BALANCED
+    }
 }
 
 impl TorsionResult {

@@ -4,7 +4,7 @@ use super::figures::torsion_figures;
 use super::result::{LimitedQuantity, TorsionResult};
 use super::tables::{
     aim_unit, chain_table, critical_table, damped_mode_table, damper_table, meshed_throws_table, mode_table,
-    shaft_table, time_table, torsion_inertia_table, torsion_speed_table, tuning_table,
+    shaft_table, time_energy_table, time_table, torsion_inertia_table, torsion_speed_table, tuning_table,
 };
 use crate::kit::number;
 use crate::kit::paragraph::push_wrapped;
@@ -142,6 +142,7 @@ impl TorsionResult {
         tables.extend(damper_table(self));
         tables.extend(tuning_table(self));
         tables.extend(time_table(self));
+        tables.extend(time_energy_table(self));
         tables
     }
 }

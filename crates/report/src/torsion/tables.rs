@@ -3,7 +3,7 @@
 use super::result::{MeshedThrow, TorsionResult};
 use crate::kit::number;
 use crate::kit::table::{Cell, Column, Table, numbers, words};
-use lanchester_torsion::{HolzerTable, TuneAim, TuneFree, peak};
+use lanchester_torsion::{ChainEnergy, HolzerTable, TuneAim, TuneFree, peak};
 
 const DEGREES: f64 = 180.0 / std::f64::consts::PI;
 /// Critical speeds listed.
@@ -390,6 +390,34 @@ pub(super) fn aim_unit(aim: TuneAim) -> (f64, &'static str) {
         TuneAim::Torque(_) => (1.0, "N m"),
         TuneAim::Stress => (1e-6, "MPa"),
     }
+}
+
+/// Work and energy of both motions in time.
+pub fn time_energy_table(result: &TorsionResult) -> Option<Table> {
+    let check = result.time.as_ref()?;
+    let runs: Vec<_> = [("linear in time", &check.linear), ("varying inertia", &check.varying)]
+        .into_iter()
+        .filter_map(|(name, own)| Some((name, own.energy?)))
+        .collect();
+    let energy = |header: &str, of: fn(&ChainEnergy) -> f64| {
+        let cells = runs.iter().map(|(_, own)| Cell::number(of(own), 5));
+        (Column::numbers(header, "J"), cells.collect())
+    };
+    Some(Table::of_columns(
+        "torsion-time-energy",
+        "Energy over a period in the time domain",
+        "Work of gas and load, losses in the dampers. Masses: work of the torque that stands for varying inertia, which is kinetic energy where inertia varies. Energy missing: work of gas and \
+         masses less load, damping and change of kinetic and elastic energy, over the sum of the sizes of all powers.",
+        vec![
+            words("motion", runs.iter().map(|(name, _)| (*name).to_owned())),
+            energy("gas", |own| own.gas),
+            energy("masses", |own| own.masses),
+            energy("load", |own| own.load),
+            energy("damping", |own| own.damping),
+            energy("change", |own| own.change),
+            words("energy missing", runs.iter().map(|(_, own)| format!("{:.1e}", own.error()))),
+        ],
+    ))
 }
 
 /// Orders, time domain, and varying inertia side by side.

@@ -86,6 +86,24 @@ fn single_orders_in_time_are_exact() {
 }
 
 #[test]
+fn energies_of_a_period_balance() {
+    let (chain, excitation) = engine();
+    let chain = as_viscous(&chain, 1500.0).unwrap();
+    for (speed, varies) in [(150.0, false), (310.0, false), (200.0, true), (310.0, true)] {
+        let time = periodic_motion(&chain, &excitation, speed, varies).unwrap();
+        let energy = time.energy;
+        assert!(energy.error() < 1e-9, "{speed} {varies}: {energy:?}");
+        // The dampers' loss is a small part of what the gas gives: it is balanced by itself too.
+        assert!(energy.damping > 0.0 && energy.missing.abs() < 1e-4 * energy.damping, "{energy:?}");
+        // Were it forgotten, the balance would say so.
+        assert!((energy.missing + energy.damping).abs() > 1e-4 * energy.turnover, "{energy:?}");
+        // Load and gas are those of the result: the load holds over the angle of a period, two revolutions.
+        assert!((energy.load - time.load * 2.0 * std::f64::consts::TAU).abs() < 1e-6 * energy.load);
+        assert_eq!(energy.masses == 0.0, varies);
+    }
+}
+
+#[test]
 fn varying_inertia_changes_little_and_keeps_the_mean_power() {
     let (chain, excitation) = engine();
     let chain = as_viscous(&chain, 1500.0).unwrap();
