@@ -100,6 +100,7 @@ pub const FILES: &[(&str, &str)] = embedded![
     "flexible-paper/two-mains.toml",
     "flexible-paper/thin-web.toml",
     "flexible-paper/bearing-films.json",
+    "flexible-paper/bearing-models.json",
     "flexible-paper/crankpin.json",
     "flexible-paper/text.json",
     "flexible-paper/static-case.json",

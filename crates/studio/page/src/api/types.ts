@@ -497,6 +497,8 @@ export type BearingFilms = {
   films: BearingFilm[];
   /** Period of crankshaft 1 [rad]. */
   period: number;
+  /** How each crankshaft that floats in its films ran, with its energy balance, by crankshaft and model of cavitation; none where journals have no mass. */
+  shafts?: ShaftRun[];
   /** Speed of crankshaft 1 [rad/s]. */
   speed: number;
   /** [`BEARING_FILMS_VERSION`]. */
@@ -2012,6 +2014,24 @@ export type FilletAnswer = {
   stress: PeakStress | null;
   /** Crank angle of the largest [rad]. */
   theta: number | null;
+};
+
+/** Work and energy of a shaft over the last period [J]. */
+export type FilmEnergy = {
+  /** Change of kinetic energy. */
+  change: number;
+  /** Taken by contact of the roughness, which is elastic. */
+  contact: number;
+  /** Lost in the films by the flow that their pressure drives. */
+  films: number;
+  /** Work of the loads on the shaft. */
+  loads: number;
+  /** What is missing: loads + turning - films - contact - change. */
+  missing: number;
+  /** Work that turning journals and shells do on the films' pressure. */
+  turning: number;
+  /** Sum of the sizes of all powers over time, by which `missing` is judged. */
+  turnover: number;
 };
 
 /** The orbit over one period, and what the film does on it. */
@@ -4111,6 +4131,26 @@ export type ShaftLayout = {
   kind: "two-planes";
   /** Planes [m]. */
   z: [number, number];
+};
+
+/** How a shaft that floats in its films ran. */
+export type ShaftRun = {
+  /** Model of cavitation. */
+  cavitation: Cavitation;
+  /** Largest change of an orbit from the last period but one, over the clearance. */
+  change: number;
+  /** Number of the crankshaft, from 1. */
+  crankshaft: number;
+  /** Energies of the last period; `None` where it ended early. */
+  energy: FilmEnergy | null;
+  /** Missing energy over the turnover. */
+  energy_error: number | null;
+  /** How the orbits ended. */
+  outcome: OrbitOutcome;
+  /** Periods that were run. */
+  periods: number;
+  /** Steps of all periods. */
+  steps: number;
 };
 
 /** A balance shaft. */
