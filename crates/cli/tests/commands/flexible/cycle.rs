@@ -78,8 +78,17 @@ fn energies_balance_and_limits_end_with_status_1() {
     }
     assert_eq!(json.pointer("/motion").unwrap(), "free");
     let csv = output(&folder, 1, &words(&["--bearings", "rigid", "--safety", "1000", "--format", "csv"]));
-    // Four fillets, three quantities of three bearings, energy.
-    assert_eq!(csv.lines().count(), 1 + 4 + 9 + 1, "{csv}");
+    // Four fillets with their stress, Findley's value and two safeties, three quantities of three bearings, energy.
+    assert_eq!(csv.lines().count(), 1 + 4 + 12 + 9 + 1, "{csv}");
+    // A rough surface leaves half the limit.
+    let rough =
+        ["--bearings", "rigid", "--surface-factor", "0.5", "--fatigue-safety", "2", "--format", "json"];
+    let rough = output_json(&folder, 1, &words(&rough));
+    let polished = |row: &str| row.split(',').nth(3).unwrap().parse::<f64>().unwrap();
+    let polished =
+        csv.lines().find(|row| row.contains("pin 1 at web 1,safety of all")).map(polished).unwrap();
+    let safety = number(&rough, "/runs/0/fatigue/1/point/safety_of_all");
+    assert!((2.0 * safety / polished - 1.0).abs() < 1e-9, "{safety} {polished}");
 }
 
 #[test]
@@ -89,6 +98,8 @@ fn what_a_cycle_cannot_have_is_refused() {
         (&["--instants", "50"][..], "a multiple of 8"),
         (&["--damping", "2"], "--damping needs a share"),
         (&["--safety", "0"], "--safety needs a number"),
+        (&["--fatigue-safety", "0"], "--fatigue-safety needs a number"),
+        (&["--gradient-factor", "-1"], "--gradient-factor"),
         (&["--least-film", "1 kg"], "--least-film"),
         (&["--save", "curves.txt"], ".parquet or .csv"),
         (&["--crankshaft", "2"], "crankshaft 2 is needed"),
