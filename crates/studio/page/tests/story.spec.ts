@@ -54,6 +54,7 @@ test("from a new in-line three to a balanced engine with outlines of its counter
   await expect(figure(page, "Force, order 1")).toHaveText(/^0/);
   await expect(figure(page, "Force, order 2")).toHaveText(/^0/);
   await expect(figure(page, "Couple, order 1")).toHaveText(/^564\.6/);
+  await expect(figure(page, "Peak couple")).toHaveText(/^849\.3/);
   const bare = await figure(page, "Couple, order 1").textContent();
 
   const balance = async (before: string | null) => {
@@ -108,6 +109,19 @@ test("from a new in-line three to a balanced engine with outlines of its counter
   expect(html).toContain("The crankshaft");
   expect(html).toContain("swept radius");
   for (const web of [1, 2, 3, 4, 5, 6]) expect(html).toContain(`web ${web}`);
+
+  // What no counterweight reaches turns against the crank: a shaft takes it, with the weights that go with it.
+  await expect(figure(page, "Peak couple")).toHaveText(/^817\.3/);
+  await page.getByRole("tab", { name: "Results" }).click();
+  const diagnosis = page.getByRole("region", { name: "What shakes, and what removes it" });
+  await diagnosis.getByRole("button", { name: "Add shaft, against the crank, two planes" }).click();
+  await expect(page.getByText("Add shaft, against the crank, two planes: done")).toBeVisible();
+  await balance(await figure(page, "Couple, order 1").textContent());
+  await expect(figure(page, "Couple, order 1")).toHaveText("0");
+  await expect(figure(page, "Peak couple")).toHaveText(/^343\.6/);
+  await page.getByRole("tab", { name: "Counterweight" }).click();
+  await page.getByRole("button", { name: "Find the best shape" }).click();
+  await expect(best).toContainText("the least mass is");
   console.log(`from the gallery to the report in ${((Date.now() - start) / 1000).toFixed(1)} s`);
 });
 
