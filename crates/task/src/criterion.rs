@@ -39,7 +39,7 @@ const MOUNT: &str = "mount force ";
 const WITH_GAS: &str = " with gas";
 /// The criterion of this name: a load such as `force`, `couple y`, `roll moment`, `mount force` (the largest of all
 /// mounts), `mount force front`, both with ` with gas` behind, `main-bearing load` (the largest of all main bearings), `main-bearing load 3`,
-/// `bending moment`; one order of it, such as `force order 2` or `roll moment order 1/2`; `main-bearing load rms` (of
+/// `bending moment`; one order of it, such as `force order 2` or `roll moment order 0.5`; `main-bearing load rms` (of
 /// all main bearings and the cycle), `main-bearing load 3 rms`, `largest main-bearing load rms`, the same with `mean`; any of
 /// these with the gas over the range of speeds, `main-bearing load with gas`; `added mass` or `added unbalance`.
 ///
@@ -407,7 +407,7 @@ mod tests {
             criterion("mount force front order 3/2", &front),
             Ok(Criterion::Order(Load::MountForce(0), 1.5))
         );
-        assert_eq!(name_among(&Criterion::Order(Load::CoupleY, 0.5), &[]), "couple y order 1/2");
+        assert_eq!(name_among(&Criterion::Order(Load::CoupleY, 0.5), &[]), "couple y order 0.5");
         let gas = [
             ("mount force  with gas", Load::LargestMountForceWithGas),
             ("mount force front with gas", Load::MountForceWithGas(0)),
