@@ -51,6 +51,7 @@ __all__ = [
     "CarriedWeight",
     "CatalogueHole",
     "Chain",
+    "ChainEnergy",
     "ChamberMotion",
     "CheckedCounterweight",
     "CheckedShaftWeight",
@@ -145,6 +146,7 @@ __all__ = [
     "FilletFatigue",
     "FilletPlace",
     "FilletSheet",
+    "FilmEnergy",
     "FilmOrbit",
     "Finding",
     "Findley",
@@ -276,6 +278,7 @@ __all__ = [
     "Shaft",
     "ShaftDesign",
     "ShaftLayout",
+    "ShaftRun",
     "ShaftSection",
     "ShaftSet",
     "ShaftSweep",
@@ -1249,7 +1252,7 @@ class BearingFilms(Result):
     """Oil films of an engine at one speed."""
 
     __slots__ = ()
-    _FIELDS = ("assumptions", "engine", "films", "period", "speed", "version",)
+    _FIELDS = ("assumptions", "engine", "films", "period", "shafts", "speed", "version",)
 
     @property
     def assumptions(self) -> list[str]:
@@ -1270,6 +1273,11 @@ class BearingFilms(Result):
     def period(self) -> float:
         """Period of crankshaft 1 [rad]."""
         return self._get("period")  # type: ignore[no-any-return]
+
+    @property
+    def shafts(self) -> Records[ShaftRun]:
+        """How each crankshaft that floats in its films ran, with its energy balance, by crankshaft and model of cavitation; none where journals have no mass."""
+        return self._all("shafts", ShaftRun)
 
     @property
     def speed(self) -> float:
@@ -1904,6 +1912,48 @@ class Chain(Record):
     def stations(self) -> Records[Station2]:
         """Not described."""
         return self._all("stations", Station2)
+
+
+class ChainEnergy(Record):
+    """Work and energy over a period [J]."""
+
+    __slots__ = ()
+    _FIELDS = ("change", "damping", "gas", "load", "masses", "missing", "turnover",)
+
+    @property
+    def change(self) -> float:
+        """Change of kinetic and elastic energy."""
+        return self._get("change")  # type: ignore[no-any-return]
+
+    @property
+    def damping(self) -> float:
+        """Lost in the dampers."""
+        return self._get("damping")  # type: ignore[no-any-return]
+
+    @property
+    def gas(self) -> float:
+        """Work of the gas."""
+        return self._get("gas")  # type: ignore[no-any-return]
+
+    @property
+    def load(self) -> float:
+        """Taken by the load."""
+        return self._get("load")  # type: ignore[no-any-return]
+
+    @property
+    def masses(self) -> float:
+        """Work of the torque that stands for varying inertia; 0 where inertia varies."""
+        return self._get("masses")  # type: ignore[no-any-return]
+
+    @property
+    def missing(self) -> float:
+        """What is missing: gas + masses - load - damping - change."""
+        return self._get("missing")  # type: ignore[no-any-return]
+
+    @property
+    def turnover(self) -> float:
+        """Sum of the sizes of all powers over time, by which `missing` is judged."""
+        return self._get("turnover")  # type: ignore[no-any-return]
 
 
 class ChamberMotion(Record):
@@ -5397,6 +5447,48 @@ class FilletSheet(Record):
     def torsion(self) -> float:
         """Alternating torsional stress [Pa]."""
         return self._get("torsion")  # type: ignore[no-any-return]
+
+
+class FilmEnergy(Record):
+    """Work and energy of a shaft over the last period [J]."""
+
+    __slots__ = ()
+    _FIELDS = ("change", "contact", "films", "loads", "missing", "turning", "turnover",)
+
+    @property
+    def change(self) -> float:
+        """Change of kinetic energy."""
+        return self._get("change")  # type: ignore[no-any-return]
+
+    @property
+    def contact(self) -> float:
+        """Taken by contact of the roughness, which is elastic."""
+        return self._get("contact")  # type: ignore[no-any-return]
+
+    @property
+    def films(self) -> float:
+        """Lost in the films by the flow that their pressure drives."""
+        return self._get("films")  # type: ignore[no-any-return]
+
+    @property
+    def loads(self) -> float:
+        """Work of the loads on the shaft."""
+        return self._get("loads")  # type: ignore[no-any-return]
+
+    @property
+    def missing(self) -> float:
+        """What is missing: loads + turning - films - contact - change."""
+        return self._get("missing")  # type: ignore[no-any-return]
+
+    @property
+    def turning(self) -> float:
+        """Work that turning journals and shells do on the films' pressure."""
+        return self._get("turning")  # type: ignore[no-any-return]
+
+    @property
+    def turnover(self) -> float:
+        """Sum of the sizes of all powers over time, by which `missing` is judged."""
+        return self._get("turnover")  # type: ignore[no-any-return]
 
 
 class FilmOrbit(Record):
@@ -9966,6 +10058,53 @@ class ShaftLayout(Record):
         return self._array("z")  # type: ignore[no-any-return]
 
 
+class ShaftRun(Record):
+    """How a shaft that floats in its films ran."""
+
+    __slots__ = ()
+    _FIELDS = ("cavitation", "change", "crankshaft", "energy", "energy_error", "outcome", "periods", "steps",)
+
+    @property
+    def cavitation(self) -> Literal['full', 'gumbel', 'reynolds', 'mass-conserving']:
+        """Model of cavitation."""
+        return self._get("cavitation")  # type: ignore[no-any-return]
+
+    @property
+    def change(self) -> float:
+        """Largest change of an orbit from the last period but one, over the clearance."""
+        return self._get("change")  # type: ignore[no-any-return]
+
+    @property
+    def crankshaft(self) -> int:
+        """Number of the crankshaft, from 1."""
+        return self._get("crankshaft")  # type: ignore[no-any-return]
+
+    @property
+    def energy(self) -> FilmEnergy | None:
+        """Energies of the last period; `None` where it ended early."""
+        return self._of("energy", FilmEnergy)  # type: ignore[no-any-return]
+
+    @property
+    def energy_error(self) -> float | None:
+        """Missing energy over the turnover."""
+        return self._get("energy_error")  # type: ignore[no-any-return]
+
+    @property
+    def outcome(self) -> Literal['periodic', 'not_periodic', 'overloaded']:
+        """How the orbits ended."""
+        return self._get("outcome")  # type: ignore[no-any-return]
+
+    @property
+    def periods(self) -> int:
+        """Periods that were run."""
+        return self._get("periods")  # type: ignore[no-any-return]
+
+    @property
+    def steps(self) -> int:
+        """Steps of all periods."""
+        return self._get("steps")  # type: ignore[no-any-return]
+
+
 class ShaftSection(Record):
     """A round section."""
 
@@ -11490,7 +11629,17 @@ class TimeAmplitudes(Record):
     """Amplitudes of torques and twist."""
 
     __slots__ = ()
-    _FIELDS = ("torques", "twist",)
+    _FIELDS = ("energy", "energy_error", "torques", "twist",)
+
+    @property
+    def energy(self) -> ChainEnergy | None:
+        """In time: work and energy over the period."""
+        return self._of("energy", ChainEnergy)  # type: ignore[no-any-return]
+
+    @property
+    def energy_error(self) -> float | None:
+        """In time: missing energy over the turnover."""
+        return self._get("energy_error")  # type: ignore[no-any-return]
 
     @property
     def torques(self) -> FloatArray:
