@@ -60,7 +60,7 @@ impl From<'_> {
         let damping = 2.0 * ring * frequency / (2.0 * (1.0 + mu) * (2.0 + mu)).sqrt();
         let block = Block::new(
             "[damper]",
-            "what long crankshafts have at their free end, damped for the least peak (Den Hartog); `torsion --tune damper` finds its best.",
+            "what long crankshafts have at their free end, damped for the least peak of its first twist (Den Hartog).",
         )
         .line("type", "\"viscous\"", "a ring in oil")
         .line("ring_inertia", quantity(ring, "kg m2", 1.0, 2), "a quarter of the crankshaft")
