@@ -44,9 +44,7 @@ impl From<'_> {
         }
         let engine = sizes.engine;
         if engine.crankshafts.len() > 1 {
-            return Found::Not(
-                "an engine with several crankshafts is damped at its gears, by what its maker found".into(),
-            );
+            return Found::Not("there is no usual damper for geared crankshafts".into());
         }
         if engine.throws.len() < LONG {
             return Found::Not(format!("crankshafts with fewer than {LONG} throws seldom have one"));

@@ -5,8 +5,8 @@ use crate::stress::rule::{CrankRuleError, RuleRequest, crank_rule};
 use crate::torsion_study::{EngineTorsionError, TorsionRequest, torsion};
 use lanchester_file::EngineFile;
 use lanchester_report::{CrankRule, TorsionResult};
+use lanchester_units::{Dimension, readable};
 use std::collections::BTreeSet;
-use std::f64::consts::PI;
 
 /// Why there is no such sheet.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -19,6 +19,9 @@ pub enum RuleTorsionError {
     #[error(transparent)]
     Torsion(#[from] EngineTorsionError),
 }
+
+/// A speed so much beyond an end of the range is not that end's.
+const NEARLY: f64 = 1.0 - 1e-9;
 
 /// How far beside a speed the chain is looked at too.
 const BESIDE: f64 = 0.02;
@@ -35,27 +38,21 @@ pub fn crank_rule_with_torsion(
     request: &RuleRequest,
 ) -> Result<CrankRule, RuleTorsionError> {
     let engine = &file.engine;
-    let still = crank_rule(engine, traces, &RuleRequest { vibration: Vec::new(), ..request.clone() })?;
-    let mut speeds: Vec<f64> = still.speeds.iter().map(|sheet| sheet.speed).collect();
+    let rigid = RuleRequest { vibration: Vec::new(), ..request.clone() };
+    let mut still = crank_rule(engine, traces, &rigid)?;
     let mut between = None;
     if request.speeds.is_empty() {
-        let found = torsion(
-            file,
-            traces,
-            &TorsionRequest { without_gas: !request.gas, ..TorsionRequest::default() },
-        )?;
-        let throws = still.speeds.iter().flat_map(|sheet| &sheet.throws).map(|own| own.throw - 1);
-        between = most_torque(&found, &throws.collect()).filter(|speed| !speeds.contains(speed));
-        speeds.extend(between);
-        speeds.sort_by(f64::total_cmp);
-    }
-    let still = match between {
-        Some(_) => {
-            let asked = RuleRequest { vibration: Vec::new(), speeds, ..request.clone() };
-            crank_rule(engine, traces, &asked)?
+        let asked = TorsionRequest { without_gas: !request.gas, ..TorsionRequest::default() };
+        let throws = still.speeds.iter().flat_map(|sheet| &sheet.throws).map(|own| own.throw - 1).collect();
+        let range = engine.speed;
+        let is_inside = |speed: &f64| *speed * NEARLY > range.lowest && *speed < range.highest * NEARLY;
+        between = most_torque(&torsion(file, traces, &asked)?, &throws).filter(is_inside);
+        if let Some(speed) = between {
+            let there = crank_rule(engine, traces, &RuleRequest { speeds: vec![speed], ..rigid })?;
+            still.speeds.extend(there.speeds);
+            still.speeds.sort_by(|a, b| a.speed.total_cmp(&b.speed));
         }
-        None => still,
-    };
+    }
     let mut whole: Option<CrankRule> = None;
     for sheet in &still.speeds {
         let speed = sheet.speed;
@@ -76,8 +73,8 @@ pub fn crank_rule_with_torsion(
                  torque of a rigid crankshaft.";
     whole.notes.extend(between.map(|speed| {
         format!(
-            "{:.0} rpm lies between the lowest and the highest speed: torsional vibration has its largest torque beside the throws there.",
-            speed * 30.0 / PI
+            "{} lies between the lowest and the highest speed: torsional vibration has its largest torque beside the throws there.",
+            readable(speed, Dimension::Speed)
         )
     }));
     match whole.notes.iter_mut().find(|note| note.contains("torsional vibration as given")) {

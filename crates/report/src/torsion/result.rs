@@ -139,7 +139,8 @@ impl TimeCheck {
 
     /// Whether both balance to 1e-4.
     pub fn is_balanced(&self) -> bool {
-        self.energy_error() <= BALANCED
+        let mut errors = [&self.linear, &self.varying].into_iter().filter_map(|own| own.energy_error);
+        errors.all(|error| error <= BALANCED)
     }
 }
 
