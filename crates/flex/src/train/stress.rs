@@ -142,11 +142,6 @@ impl StressBasis {
         let of = |fillet| FilletNodes { basis: self, fillet, by_column: &by_column, count: instants.len() };
         self.fillets.par_iter().map(|fillet| judge(&of(fillet))).collect()
     }
-
-    /// Peaks of all fillets over the instants of a cycle.
-    pub fn over_cycle(&self, instants: &[StressInstant]) -> Vec<FilletCycle> {
-        self.each_fillet(instants, |fillet| fillet.cycle(|_, _| {}))
-    }
 }
 
 /// The nodes of a fillet with their stress over the cycle.
