@@ -138,6 +138,8 @@ pub const FILES: &[(&str, &str)] = embedded![
     "oil-films/source.json",
     "oil-films/finite-films.json",
     "oil-films/short-bearing.json",
+    "elastic-bodies/source.json",
+    "elastic-bodies/elastic-bodies.json",
     "mechanisms/source.json",
     "mechanisms/squeezer.json",
 ];

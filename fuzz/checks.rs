@@ -1,5 +1,7 @@
 //! What must hold for any input: shared by the fuzz targets and by the test that replays the kept corpus.
 
+use lanchester::multibody::{Samples, Wrench};
+use lanchester::{SimulateRequest, simulate_watched};
 use lanchester_balance::{Outcome, optimise};
 use lanchester_bondgraph::{Graph, SimulationRequest, drawing, equations, modelica};
 use lanchester_file::workshop::read_sheet;
@@ -8,6 +10,7 @@ use lanchester_mechanism::{LoadError, LoadRequest, loads as loads_of};
 use lanchester_model::Engine;
 use lanchester_results::LoadSet;
 use lanchester_workshop::{correction, drilling, grade};
+use std::cell::Cell;
 
 /// Any bytes, read as an engine file: mistakes can be shown, and what is accepted survives its expanded form.
 pub fn read(data: &[u8]) {
@@ -109,6 +112,101 @@ pub fn graph(data: &[u8]) {
         );
     }
 }
+
+/// An engine with some of its keys of runs in time changed: what is read is refused with words, or runs within its bound, and every sample is finite.
+pub fn simulate(data: &[u8]) {
+    let text = changed(&RUNS, &RUN_ADDITIONS, data);
+    let Some(file) = accepted_file(&text) else { return };
+    // Samples by the million are another matter than keys.
+    let step = file.tasks.simulation.as_ref().and_then(|simulation| simulation.step);
+    if step.is_some_and(|step| step < 1e-3) {
+        return;
+    }
+    let steps = Cell::new(0);
+    let watch = |_| {
+        steps.set(steps.get() + 1);
+        steps.get() < 1500
+    };
+    let found = match simulate_watched(&file, &[], &SimulateRequest::default(), &watch) {
+        Ok(found) => found,
+        Err(error) => {
+            assert!(!error.to_string().is_empty(), "refused without a reason:\n{text}");
+            return;
+        }
+    };
+    if let Some(what) = infinite(&found.run.samples) {
+        panic!("{what} is not finite ({:?}) of\n{text}", found.run.outcome);
+    }
+}
+
+/// A series of a run that is not finite.
+fn infinite(samples: &Samples) -> Option<&'static str> {
+    let numbers = |series: &[f64]| series.iter().all(|value| value.is_finite());
+    let vectors = |series: &[[f64; 3]]| series.iter().flatten().all(|value| value.is_finite());
+    let wrench = |wrench: &Wrench| vectors(&[wrench.force, wrench.moment]);
+    let reactions = samples.reactions.iter().all(|own| {
+        own.cylinders
+            .iter()
+            .all(|cylinder| [cylinder.wall, cylinder.piston_pin, cylinder.lower_pin].iter().all(wrench))
+            && own.rotors.iter().all(|rotor| wrench(&rotor.bearings) && rotor.gear_torque.is_finite())
+            && wrench(&own.on_block)
+            && own.shaft_torque.is_finite()
+    });
+    let mounts = samples.mounts.iter().all(|mounts| vectors(mounts));
+    let checked = [
+        ("time", numbers(&samples.time)),
+        ("crank angle", numbers(&samples.theta)),
+        ("speed", numbers(&samples.speed)),
+        ("acceleration", numbers(&samples.acceleration)),
+        ("torque of the load", numbers(&samples.load_torque)),
+        ("place of the block", vectors(&samples.position)),
+        ("spin of the block", vectors(&samples.spin)),
+        ("force of the mounts", mounts),
+        ("a reaction", reactions),
+    ];
+    checked.into_iter().find(|(_, is_finite)| !is_finite).map(|(what, _)| what)
+}
+
+/// What an empty input leaves as it is must be accepted: a check of texts that are all refused would check nothing.
+#[cfg(test)]
+pub fn unchanged() {
+    let templates = templates().iter().map(|template| template.text);
+    for text in templates.chain([PARTS]).chain(RUNS).chain(TASKS) {
+        assert!(accepted(text).is_some(), "refused:\n{}", {
+            let reading = read_text(text);
+            render(&reading.diagnostics, "engine.toml", text, false)
+        });
+    }
+    for text in SHEETS {
+        assert!(read_sheet(text).sheet.is_some(), "refused:\n{text}");
+    }
+    for text in GRAPHS {
+        assert!(Graph::read(text).is_ok(), "refused:\n{text}");
+    }
+    for text in TASKS {
+        let file = accepted_file(text).unwrap();
+        let answer = optimise(&file.engine, file.tasks.balance.as_ref().unwrap());
+        assert!(answer.is_ok_and(|answer| answer.outcome == Outcome::Optimal), "no optimum of\n{text}");
+    }
+}
+
+/// Engines with what runs in time have.
+const RUNS: [&str; 3] = [
+    include_str!("runs/governed.toml"),
+    include_str!("runs/imposed.toml"),
+    include_str!("runs/driveline.toml"),
+];
+const RUN_ADDITIONS: [&str; 9] = [
+    "\n[[simulation.event]]\nwhen = \"speed rises to 1000 rpm\"\ndo = \"load none\"\n",
+    "\n[[simulation.event]]\nwhen = \"0 s\"\ndo = \"fuel 0 %\"\n",
+    "\n[[simulation.event]]\nwhen = \"400 deg\"\ndo = \"clutch open\"\n",
+    "\n[[driveline]]\ninertia = \"0.2 kg m2\"\nstiffness = \"9 kN m/rad\"\n",
+    "\n[load]\ntype = \"viscous\"\ntorque = \"20 N m\"\nat = \"1000 rpm\"\n",
+    "\n[starter]\nstall_torque = \"9 N m\"\nfree_speed = \"3000 rpm\"\nratio = 10\nuntil = \"300 rpm\"\n",
+    "\n[governor]\nspeed = \"1200 rpm\"\ngain = \"0.01 1/rpm\"\n",
+    "\n[friction]\nfmep = \"0.8 bar\"\npiston_damping = \"30 N s/m\"\n",
+    "\n[gas]\ncompression_ratio = 8\n[gas.cycle]\ntype = \"sealed\"\npressure = \"2 bar\"\n",
+];
 
 /// Shipped graphs.
 const GRAPHS: [&str; 14] = [

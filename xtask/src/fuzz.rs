@@ -1,11 +1,11 @@
-//! `cargo xtask fuzz`: libFuzzer on the reader, the loads, workshop sheets, bond graphs and small optima, started from the kept corpus.
+//! `cargo xtask fuzz`: libFuzzer on the reader, the loads, workshop sheets, bond graphs, small optima and runs in time, started from the kept corpus.
 
 use crate::command::{exists, in_view, quiet};
 use crate::workspace::root;
 use anyhow::{Context, Result, bail, ensure};
 use std::process::Command;
 
-const TARGETS: [&str; 5] = ["read", "loads", "workshop", "graph", "balance"];
+const TARGETS: [&str; 6] = ["read", "loads", "workshop", "graph", "balance", "simulate"];
 
 /// Options: `--seconds N` for each target (60), `--target T` for one alone.
 pub fn run(arguments: &[String]) -> Result<()> {

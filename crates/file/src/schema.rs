@@ -124,6 +124,8 @@ pub(crate) enum Kind {
     GiveUps,
     /// A whole number or a fraction such as `"1/2"`, not 0.
     Ratio,
+    /// The order of a harmonic: a number of 0 or more, or a fraction such as `"1/2"`.
+    Order,
     /// A table.
     Table(&'static Table),
     /// Tables, at most so many.
@@ -173,6 +175,7 @@ impl Kind {
             Kind::AtLeast => "a table of films and safeties and their smallest values".into(),
             Kind::Limits => "a table of criteria and their largest values".into(),
             Kind::GiveUps => "a table of criteria and what each may give up".into(),
+            Kind::Order => "a number of 0 or more, or a fraction such as \"1/2\"".into(),
             Kind::Ratio => "a speed ratio such as -1, 2 or \"1/2\"".into(),
             Kind::Table(_) => "a table".into(),
             Kind::Tables(..) => "a list of tables".into(),

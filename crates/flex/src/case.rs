@@ -74,11 +74,19 @@ pub struct StaticCase {
     pub forces: Vec<NodeForce>,
     /// Speed about the z axis [rad/s], whose centrifugal field loads the body.
     pub speed: f64,
+    /// Rate of that speed [rad/s^2], whose field of tangential inertia loads the body.
+    #[serde(default)]
+    pub acceleration: f64,
     /// Whether the loads are balanced by accelerations of the body as a whole.
     pub inertia_relief: bool,
 }
 
 impl StaticCase {
+    /// Whether its turning loads the body, so that its mass counts.
+    pub fn turns(&self) -> bool {
+        self.speed != 0.0 || self.acceleration != 0.0
+    }
+
     /// Holds every axis of these nodes.
     pub fn clamp(mut self, nodes: &[u32]) -> StaticCase {
         for axis in 0..3 {
@@ -133,7 +141,7 @@ impl StaticCase {
                 return Err(FlexError::Missing { what: "node", name: (node + 1).to_string(), hint });
             }
         }
-        let numbers = self.fixed.iter().map(|fixed| fixed.value).chain([self.speed]);
+        let numbers = self.fixed.iter().map(|fixed| fixed.value).chain([self.speed, self.acceleration]);
         for number in numbers.chain(self.forces.iter().flat_map(|force| force.force)) {
             if !number.is_finite() {
                 return Err(FlexError::Number {

@@ -340,9 +340,18 @@ pub struct CrankLoad {
     pub pins: Vec<PinLoad>,
     /// Speed about its axis [rad/s], whose centrifugal field loads the body.
     pub speed: f64,
+    /// Rate of that speed [rad/s^2], whose field of tangential inertia loads the body.
+    pub acceleration: f64,
     /// Angle from the block's x axis to that of the frame of the crankshaft, positive from x to y [rad]: springs that differ across directions keep
     /// to the block.
     pub turn: f64,
+}
+
+impl CrankLoad {
+    /// A case of its turning alone.
+    pub fn turning(&self) -> StaticCase {
+        StaticCase { speed: self.speed, acceleration: self.acceleration, ..StaticCase::default() }
+    }
 }
 
 /// The static case of each load.
@@ -361,7 +370,7 @@ pub fn crank_cases(
             true => crank_support(crank, &surfaces, support, load.turn)?,
             false => base.clone(),
         };
-        let base = StaticCase { speed: load.speed, ..own };
+        let base = StaticCase { speed: load.speed, acceleration: load.acceleration, ..own };
         load.pins.iter().try_fold(base, |case, pin| load_pin(&surfaces, case, *pin))
     };
     loads.iter().map(case).collect()

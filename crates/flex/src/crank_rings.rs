@@ -60,7 +60,7 @@ pub(crate) fn solve_on_rings(
             .iter()
             .map(|k| ringed.case(crank, &surfaces, &loads[*k]))
             .collect::<Result<_, FlexError>>()?;
-        let turning = cases.iter().max_by(|a, b| a.speed.abs().total_cmp(&b.speed.abs()));
+        let turning = cases.iter().max_by_key(|case| case.turns());
         let Some(base) = turning else { break };
         let faces = ringed.rings().flat_map(|ring| ring.contact.iter().cloned()).collect();
         let stiffness = stiffness(crank, rings);
@@ -181,8 +181,7 @@ impl Ringed {
         surfaces: &BearingSurfaces,
         load: &CrankLoad,
     ) -> Result<StaticCase, FlexError> {
-        let mut case =
-            StaticCase { name: "rings with contact".to_owned(), speed: load.speed, ..StaticCase::default() };
+        let mut case = StaticCase { name: "rings with contact".to_owned(), ..load.turning() };
         for ring in &self.journals {
             case = case.clamp(&ring.outer_nodes());
         }

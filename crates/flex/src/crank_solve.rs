@@ -43,7 +43,7 @@ pub fn solve_crank_watched(
         let own: Vec<usize> = (0..loads.len()).filter(is_same).collect();
         let own_cases: Vec<&StaticCase> = own.iter().map(|k| &cases[*k]).collect();
         // The system needs masses where any case turns.
-        let turning = own_cases.iter().max_by(|a, b| a.speed.abs().total_cmp(&b.speed.abs()));
+        let turning = own_cases.iter().max_by_key(|case| case.turns());
         let Some(base) = turning else { break };
         let mut system = StaticSystem::new_watched(&crank.mesh, base, options, watch)?;
         for (place, solution) in own.iter().zip(system.solve(&own_cases)?) {

@@ -14,6 +14,7 @@ pub mod deck;
 mod eigen;
 pub mod element;
 mod error;
+pub mod known_bodies;
 mod material;
 pub mod mesh;
 pub mod modes;

@@ -115,7 +115,7 @@ impl<'a> StaticSystem<'a> {
             let with = structure.with_terms(&full, changing);
             lasting = Some(std::mem::replace(&mut full, with));
         }
-        let needs_mass = case.inertia_relief || case.speed != 0.0;
+        let needs_mass = case.inertia_relief || case.turns();
         let mass = needs_mass.then(|| structure.assemble(mesh, Quantity::Mass, &[]));
         let relief = match &mass {
             Some(mass) if case.inertia_relief => Some(Relief::new(mesh, &structure, mass)?),
@@ -249,7 +249,7 @@ impl<'a> StaticSystem<'a> {
         }
     }
 
-    /// Forces on all unknowns: those of the case, and its centrifugal field `W^2 M (x, y, 0)` with the weights that the body carries.
+    /// Forces on all unknowns: those of the case, and the field of its turning with the weights that the body carries.
     fn load(&self, case: &StaticCase) -> Result<Vec<f64>, FlexError> {
         let mut load = vec![0.0; self.full.size()];
         for force in &case.forces {
@@ -257,8 +257,8 @@ impl<'a> StaticSystem<'a> {
                 load[self.structure.unknown(force.node, axis)] += force.force[axis];
             }
         }
-        if case.speed != 0.0 {
-            add_centrifugal(self.mesh, &self.structure, self.mass()?, case.speed, &mut load);
+        if case.turns() {
+            add_turning(self.mesh, &self.structure, self.mass()?, case, &mut load);
         }
         Ok(load)
     }
@@ -272,29 +272,45 @@ impl<'a> StaticSystem<'a> {
     }
 }
 
-/// Adds the centrifugal field `W^2 M (x, y, 0)` and the forces of the weights that the body carries.
-fn add_centrifugal(mesh: &Mesh, structure: &Structure, mass: &SymmetricMatrix, speed: f64, load: &mut [f64]) {
-    let places: Vec<[f64; 3]> = mesh.nodes.iter().map(|[x, y, _]| [*x, *y, 0.0]).collect();
+/// Adds the field of a body that turns about z, `M (W^2 (x, y, 0) - W' (-y, x, 0))` (book, eq. 43.19), and that of the weights that it carries.
+fn add_turning(
+    mesh: &Mesh,
+    structure: &Structure,
+    mass: &SymmetricMatrix,
+    case: &StaticCase,
+    load: &mut [f64],
+) {
+    let (outwards, backwards) = (case.speed * case.speed, case.acceleration);
+    let turned = |[x, y]: [f64; 2]| [outwards * x + backwards * y, outwards * y - backwards * x];
+    let places: Vec<[f64; 3]> = mesh
+        .nodes
+        .iter()
+        .map(|[x, y, _]| {
+            let [x, y] = turned([*x, *y]);
+            [x, y, 0.0]
+        })
+        .collect();
     let mut field = vec![0.0; load.len()];
     mass.multiply(&structure.gather(&places), &mut field);
     for (load, field) in load.iter_mut().zip(field) {
-        *load += speed * speed * field;
+        *load += field;
     }
-    for (node, force) in mesh.weights.iter().flat_map(|weight| &weight.forces) {
-        for axis in 0..3 {
-            load[structure.unknown(*node, axis)] += speed * speed * force[axis];
+    for (node, [x, y, z]) in mesh.weights.iter().flat_map(|weight| &weight.forces) {
+        let [x, y] = turned([*x, *y]);
+        for (axis, force) in [x, y, outwards * z].into_iter().enumerate() {
+            load[structure.unknown(*node, axis)] += force;
         }
     }
 }
 
-/// The same case with forces on nodes in the place of its centrifugal field and of inertia relief, for which six displacements hold the
+/// The same case with forces on nodes in the place of the field of its turning and of inertia relief, for which six displacements hold the
 /// body without loading it: what a program without either can compute.
 ///
 /// # Errors
 /// As [`StaticCase::check`]; [`FlexError::FreeMotion`] for a body without mass.
 pub fn as_node_forces(mesh: &Mesh, case: &StaticCase) -> Result<StaticCase, FlexError> {
     case.check(mesh)?;
-    if case.speed == 0.0 && !case.inertia_relief {
+    if !case.turns() && !case.inertia_relief {
         return Ok(case.clone());
     }
     let structure = Structure::new(mesh, &[]);
@@ -306,9 +322,9 @@ pub fn as_node_forces(mesh: &Mesh, case: &StaticCase) -> Result<StaticCase, Flex
         }
     }
     let mut load = structure.gather(&given);
-    let mut plain = StaticCase { speed: 0.0, inertia_relief: false, ..case.clone() };
-    if case.speed != 0.0 {
-        add_centrifugal(mesh, &structure, &mass, case.speed, &mut load);
+    let mut plain = StaticCase { speed: 0.0, acceleration: 0.0, inertia_relief: false, ..case.clone() };
+    if case.turns() {
+        add_turning(mesh, &structure, &mass, case, &mut load);
     }
     if case.inertia_relief {
         Relief::new(mesh, &structure, &mass)?.balance(&mut load);

@@ -58,7 +58,7 @@ pub fn solve_submodel(
         .iter()
         .zip(whole.cases)
         .map(|(load, solved)| {
-            let base = StaticCase { name: "submodel".to_owned(), speed: load.speed, ..StaticCase::default() };
+            let base = StaticCase { name: "submodel".to_owned(), ..load.turning() };
             let moved = places.iter().fold(base, |case, (node, place)| {
                 (0..3).fold(case, |case, axis| {
                     let value = place.value(|node| solved.solution.displacements[node as usize][axis]);
@@ -71,7 +71,7 @@ pub fn solve_submodel(
         })
         .collect::<Result<_, FlexError>>()?;
     // The system needs masses where any case turns.
-    let Some(base) = cases.iter().max_by(|a, b| a.speed.abs().total_cmp(&b.speed.abs())) else {
+    let Some(base) = cases.iter().max_by_key(|case| case.turns()) else {
         return Ok(Vec::new());
     };
     let mut system = StaticSystem::new_watched(&bay.mesh, base, options, watch)?;

@@ -1,4 +1,4 @@
-//! Stress and modes of a crankshaft: its mesh from the engine file, its loads from the closed form.
+//! Stress and modes of a crankshaft: its mesh from the engine file, its loads from the closed form or from a simulated run.
 
 pub(crate) mod converge;
 pub(crate) mod cycle;
@@ -16,6 +16,7 @@ pub(crate) mod rule;
 pub(crate) mod rule_elements;
 pub(crate) mod rule_torsion;
 pub(crate) mod run;
+pub(crate) mod simulated;
 pub(crate) mod submodel;
 pub(crate) mod surface;
 pub(crate) mod throw_shape;
@@ -33,8 +34,8 @@ pub use fillet_bands::FilletStudy;
 pub use mesh::{MOST_NODES, MeshFile, StressMesh};
 pub use reduce::reduced_crank;
 pub use request::{
-    GivenForce, ModesRequest, StaticRequest, StressError, StressLoad, StressStage, SubmodelRequest,
-    support_words,
+    GivenForce, LoadSource, ModesRequest, SimulatedSource, StaticRequest, StressError, StressLoad,
+    StressStage, SubmodelRequest, support_words,
 };
 pub use rule::{CrankRuleError, RuleRequest, crank_rule};
 pub use rule_elements::{throw_factors, with_element_factors};

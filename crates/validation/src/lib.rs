@@ -289,6 +289,9 @@ fn computed(bench: &mut Bench, place: &Place, engine: &[Edit], further: &[Edit])
     if let Key::Film(key) = &key {
         return Ok(Ours { value: Value::Number(key.of()? / divisor), is_input: false });
     }
+    if let Key::Elastic(key) = &key {
+        return Ok(Ours { value: Value::Number(key.of()? / divisor), is_input: false });
+    }
     if let Key::Workshop(key) = &key {
         let (sheet, inputs) = sheet(source, &edits)?;
         let number = key.of(&sheet)?;

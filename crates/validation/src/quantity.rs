@@ -16,7 +16,7 @@
 //! engine, see [`EngineDatum`]; `a plus b` adds them. Devices that a method fits: [`DeviceKey`]. Shapes of counterweights:
 //! [`ShapeKey`]. Where a piston is: [`PistonKey`]. Forces at mounts: [`MountKey`]. What the gas does: [`GasKey`]. The bond graph: [`GraphKey`]. Static stress: [`StressKey`].
 //! The flexible crankshaft over the cycle: [`CycleKey`]. Torsion: [`TorsionKey`]. Runs in time: [`RunKey`]. Workshop sheets:
-//! [`WorkshopKey`]. Mechanisms: [`MechanismKey`]. Oil films: [`FilmKey`].
+//! [`WorkshopKey`]. Mechanisms: [`MechanismKey`]. Oil films: [`FilmKey`]. Elastic bodies: [`ElasticKey`].
 
 mod mount;
 mod piston;
@@ -29,6 +29,7 @@ use crate::graph::GraphKey;
 use crate::method::DeviceKey;
 use crate::rigid_run::RunKey;
 use crate::shape::ShapeKey;
+use crate::standalone::elastic::ElasticKey;
 use crate::standalone::film::FilmKey;
 use crate::standalone::mechanism::MechanismKey;
 use crate::stress::{StressKey, StressRun};
@@ -74,6 +75,8 @@ pub(crate) enum Key {
     Mechanism(MechanismKey),
     /// Of an oil film that belongs to no engine.
     Film(FilmKey),
+    /// Of an elastic body that belongs to no engine.
+    Elastic(ElasticKey),
     /// Of a workshop sheet.
     Workshop(WorkshopKey),
 }
@@ -208,6 +211,9 @@ impl Key {
         if let Some(film) = FilmKey::parse(text) {
             return Ok(Key::Film(film));
         }
+        if let Some(elastic) = ElasticKey::parse(text) {
+            return Ok(Key::Elastic(elastic));
+        }
         if let Some(mechanism) = MechanismKey::parse(text) {
             return Ok(Key::Mechanism(mechanism));
         }
@@ -269,6 +275,7 @@ impl Key {
             }
             Key::Run(key) => key.of(run).map(Value::Number),
             Key::Film(_) => Err("an engine is no film of its own".to_string()),
+            Key::Elastic(_) => Err("an engine is no elastic body of its own".to_string()),
             Key::Mechanism(_) => Err("an engine is no mechanism of its own".to_string()),
             Key::Workshop(_) => Err("an engine is no workshop sheet".to_string()),
         }

@@ -4,10 +4,12 @@
 //! |---|---|
 //! | `run angle at T s` | crank angle of the run at a time, from its start [rad] |
 //! | `run speed at T s` | speed of the run at a time [rad/s] |
+//!
+//! [`RigidQuantity`] is what the atlas draws of such a run over the crank angle.
 
 use crate::case::Run;
 use crate::gas_run::traces;
-use lanchester::multibody::RunOutcome;
+use lanchester::multibody::{Reactions, RunOutcome};
 use lanchester::{RunLength, SimulateRequest, simulate};
 
 /// A quantity of a run in time.
@@ -45,6 +47,57 @@ impl RunKey {
         }
         let start = found.run.samples.theta.first().copied().unwrap_or(0.0);
         Ok(if self.speed { speed } else { theta - start })
+    }
+}
+
+/// Revolutions over which the motion of a piston is shown, as the flexible paper does.
+const SHOWN: usize = 3;
+/// Samples of a revolution.
+const EACH: usize = 360;
+
+/// What a run at imposed speed in a block that stands, without weight, says of cylinder 1 over the crank angle.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum RigidQuantity {
+    /// Position of the piston pin, its speed, its acceleration: 0, 1, 2.
+    Travel(usize),
+    /// Force of the rod on the crankpin: towards the crank axis, else in the sense of rotation.
+    RodForce { radial: bool },
+}
+
+impl RigidQuantity {
+    /// Its values from angle 0 on, the end excluded, and over how many revolutions: of forces, over a cycle of the gas.
+    pub fn of(self, run: &Run) -> Result<(usize, Vec<f64>), String> {
+        let revolutions = match self {
+            RigidQuantity::Travel(_) => SHOWN,
+            RigidQuantity::RodForce { .. } => {
+                (run.with_gas()?.bearings.period / std::f64::consts::TAU).round().max(1.0) as usize
+            }
+        };
+        let request = SimulateRequest {
+            speed: Some(run.loads.speed),
+            length: Some(RunLength::Revolutions(revolutions as f64)),
+            imposed: Some(true),
+            on_mounts: Some(false),
+            gravity: Some(false),
+            step: Some(std::f64::consts::TAU / EACH as f64),
+            ..SimulateRequest::default()
+        };
+        let found = simulate(&run.file, &traces(), &request).map_err(|error| error.to_string())?;
+        let reactions = &found.run.samples.reactions;
+        let count = revolutions * EACH;
+        if found.run.outcome != RunOutcome::Complete || reactions.len() < count {
+            return Err(format!("the run has {} samples of {count}", reactions.len()));
+        }
+        let first = |reactions: &Reactions| {
+            let own = reactions.cylinders.first()?;
+            Some(match self {
+                RigidQuantity::Travel(rate) => own.travel[rate],
+                RigidQuantity::RodForce { radial: true } => -own.throw_frame[0],
+                RigidQuantity::RodForce { radial: false } => own.throw_frame[1],
+            })
+        };
+        let values: Option<Vec<f64>> = reactions.iter().take(count).map(first).collect();
+        Ok((revolutions, values.ok_or("the engine has no cylinder")?))
     }
 }
 

@@ -230,7 +230,9 @@ impl Writer {
         let about = row.about.as_deref();
         let kind = Key::parse(&row.key).ok();
         let is_sheet = matches!(kind, Some(Key::Workshop(_)));
-        let of_engine = !matches!(kind, Some(Key::Workshop(_) | Key::Mechanism(_) | Key::Film(_)));
+        let alone =
+            |key: &Key| matches!(key, Key::Workshop(_) | Key::Mechanism(_) | Key::Film(_) | Key::Elastic(_));
+        let of_engine = !kind.as_ref().is_some_and(alone);
         let engine_of_row = if of_engine { self.engine(source, &edits, motion, about) } else { None };
         let column = column.map(|column| column.name.clone());
         let parts = [

@@ -120,6 +120,15 @@ pub struct SupportArguments {
     pub ring_modulus: Option<String>,
 }
 
+/// Reductions.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum ReductionOption {
+    /// Modes of the free crankshaft.
+    FreeInterface,
+    /// Modes with all bearing surfaces and the flywheel's face held.
+    CraigBampton,
+}
+
 /// Supports.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum SupportOption {
@@ -134,6 +143,16 @@ pub enum SupportOption {
     Rings,
     /// None: loads balanced by the crankshaft's own inertia.
     Free,
+}
+
+/// What computes loads.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum LoadsOption {
+    /// The closed form, at constant speed.
+    ClosedForm,
+    /// The run that `simulate` makes of this file: the largest forces among its samples, or those at crank angles of its last period, each with the speed and the
+    /// angular acceleration of its instant.
+    Simulation,
 }
 
 /// The loads.
@@ -153,12 +172,16 @@ pub struct LoadArguments {
     /// the crankshaft. May be given several times; all act at once.
     #[arg(long, value_name = "FORCE")]
     pub force: Vec<String>,
-    /// Speed of crankshaft 1, with its unit; may be given several times. Default: lowest and highest speed of the file, with `--force` standstill.
+    /// Speed of crankshaft 1, with its unit; may be given several times. Default: lowest and highest speed of the file, with `--force` standstill, of a simulated run the
+    /// one that it starts with.
     #[arg(long, value_name = "SPEED")]
     pub speed: Vec<String>,
     /// Leave out the gas of the file.
     #[arg(long)]
     pub inertia_only: bool,
+    /// What computes the loads of gas and inertia.
+    #[arg(long, value_enum, default_value_t = LoadsOption::ClosedForm, conflicts_with = "force")]
+    pub loads: LoadsOption,
 }
 
 /// `stress static`
@@ -341,9 +364,12 @@ pub struct CycleArguments {
     /// Leave out the gas of the file.
     #[arg(long)]
     pub inertia_only: bool,
-    /// Natural modes of the free crankshaft that are kept, beside the static shapes of all bearings.
+    /// Natural modes of the crankshaft that are kept, beside the static shapes of all bearings.
     #[arg(long, value_name = "N", default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..=200))]
     pub modes: u32,
+    /// Which modes these are: two reductions of one crankshaft, whose answers tell whether the modes are enough.
+    #[arg(long, value_enum, default_value_t = ReductionOption::FreeInterface)]
+    pub reduction: ReductionOption,
     /// Damping of every mode over the critical one; default: what the crankshaft's material says, else 0.01.
     #[arg(long, value_name = "SHARE")]
     pub damping: Option<f64>,

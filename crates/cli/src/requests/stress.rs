@@ -2,8 +2,8 @@
 
 use crate::failure::Failure;
 use crate::options::stress::{
-    CycleArguments, FactorArguments, FatigueArguments, LawOption, LoadArguments, MeshArguments,
-    RuleArguments, SupportArguments, SupportOption,
+    CycleArguments, FactorArguments, FatigueArguments, LawOption, LoadArguments, LoadsOption, MeshArguments,
+    ReductionOption, RuleArguments, SupportArguments, SupportOption,
 };
 use crate::trace_files::read_mesh;
 use lanchester::file::EngineFile;
@@ -11,13 +11,14 @@ use lanchester::flex::crank_case::CrankSupport;
 use lanchester::flex::crank_mesh::CrankMeshOptions;
 use lanchester::flex::sparse::Precision;
 use lanchester::flex::statics::SolveOptions;
-use lanchester::flex::train::BasisOptions;
+use lanchester::flex::train::{BasisKind, BasisOptions};
 use lanchester::report::{CycleLaw, CycleSpeed, FatigueFactors};
 use lanchester::task::option;
 use lanchester::units::{Bound, Dimension};
 use lanchester::value_list;
 use lanchester::{
-    CycleRequest, FatigueRequest, GivenForce, RuleRequest, StaticRequest, StressLoad, StressMesh, stress_case,
+    CycleRequest, FatigueRequest, GivenForce, LoadSource, RuleRequest, SimulateRequest, StaticRequest,
+    StressLoad, StressMesh, stress_case,
 };
 
 /// Which crankshaft, how fine.
@@ -107,6 +108,10 @@ pub fn cycle_request(own: &CycleArguments, file: &EngineFile) -> Result<CycleReq
         motion: if own.free { CycleSpeed::Free } else { CycleSpeed::Constant },
         gas: !own.inertia_only,
         basis: BasisOptions {
+            kind: match own.reduction {
+                ReductionOption::FreeInterface => BasisKind::FreeInterface,
+                ReductionOption::CraigBampton => BasisKind::CraigBampton,
+            },
             modes: own.modes as usize,
             memory: memory(&own.mesh.memory)?,
             ..BasisOptions::default()
@@ -237,7 +242,17 @@ pub fn static_request(
             StaticRequest { mesh, support, load, speeds, ..StaticRequest::default() }
         }
     };
-    Ok(StaticRequest { gas: !load.inertia_only, solve: solve_options(own)?, ..plain })
+    let source = match load.loads {
+        LoadsOption::ClosedForm => LoadSource::ClosedForm,
+        LoadsOption::Simulation if matches!(plain.load, StressLoad::Given { .. }) => {
+            return Err(Failure::input(
+                "--loads simulation has no effect on a case with forces of its own",
+                "leave out --loads, or choose a case with an angle",
+            ));
+        }
+        LoadsOption::Simulation => LoadSource::of_run(&file.tasks, SimulateRequest::default()),
+    };
+    Ok(StaticRequest { gas: !load.inertia_only, source, solve: solve_options(own)?, ..plain })
 }
 
 /// Loads and speeds. `held`: what holds the crankshaft.

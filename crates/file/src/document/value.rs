@@ -215,6 +215,19 @@ impl Walk<'_> {
         Some(Value::Number(value))
     }
 
+    /// The order of a harmonic as a fraction in a text: `"3/2"`.
+    pub(super) fn order(&mut self, key: &Key, item: &Item<'_>) -> Option<Value> {
+        let span = item.span().range();
+        let order = item.as_str().and_then(fraction).map(|(over, under)| over as f64 / under as f64);
+        match order.filter(|order| *order == 0.0 || (SMALLEST..=LARGEST).contains(order)) {
+            Some(order) => Some(Value::Number(order)),
+            None => {
+                self.wrong_kind(key, item, &span);
+                None
+            }
+        }
+    }
+
     pub(super) fn ratio(&mut self, key: &Key, item: &Item<'_>) -> Option<Value> {
         let span = item.span().range();
         let parts = match item.value() {

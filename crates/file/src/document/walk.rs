@@ -198,6 +198,10 @@ impl Walk<'_> {
             (Kind::Amounts, Toml::Array(_)) => {
                 self.list(key, item, |walk, item| walk.amount(key, item, key_span)).map(Value::Texts)
             }
+            (Kind::Order, Toml::Integer(_) | Toml::Float(_)) => {
+                self.bare_number(key, item, Bound::NotNegative)
+            }
+            (Kind::Order, Toml::String(_)) => self.order(key, item),
             (Kind::Ratio, Toml::Integer(_) | Toml::Float(_) | Toml::String(_)) => self.ratio(key, item),
             (Kind::Table(table), Toml::Table(toml)) => {
                 let span = self.item_span(item, key_span);

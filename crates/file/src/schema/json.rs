@@ -113,6 +113,10 @@ fn key_schema(key: &Key) -> Value {
             { "type": "integer", "not": { "const": 0 } },
             { "type": "string", "pattern": "^\\s*[+-]?0*[1-9][0-9]*\\s*(/\\s*0*[1-9][0-9]*\\s*)?$" },
         ] }),
+        Kind::Order => json!({ "anyOf": [
+            { "type": "number", "minimum": 0 },
+            { "type": "string", "pattern": "^\\s*\\+?[0-9]+\\s*(/\\s*0*[1-9][0-9]*\\s*)?$" },
+        ] }),
         Kind::Table(table) => table_schema(table),
         Kind::ValuesOrTables(table, most) => {
             let value = table.keys.first().map_or_else(|| json!({}), key_schema);

@@ -70,7 +70,7 @@ fn info(key: &Key) -> KeyInfo {
             ("quantities", Vec::new())
         }
         Kind::Share | Kind::ShareOrPair | Kind::ShareOrThree => ("share", Vec::new()),
-        Kind::Number(_) => ("number", Vec::new()),
+        Kind::Number(_) | Kind::Order => ("number", Vec::new()),
         Kind::Ratio => ("ratio", Vec::new()),
         Kind::Wholes(..)
         | Kind::Direction

@@ -92,6 +92,7 @@ fn holds(kind: Kind) -> String {
         Kind::Durabilities => "list of films and safeties".into(),
         Kind::AtLeast => "table of films and safeties".into(),
         Kind::Limits | Kind::GiveUps => "table of criteria".into(),
+        Kind::Order => "number, not negative, or a fraction as text".into(),
         Kind::Ratio => "whole number, or a fraction as text".into(),
         Kind::Table(table) => format!("table `{}`", table.header),
         Kind::ValuesOrTables(table, most) => {

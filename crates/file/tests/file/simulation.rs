@@ -51,7 +51,7 @@ point = [{ name = "head", x = "350 mm", z = "-20 mm" }]
 mesh = [{ shaft = "shaft 1", pressure_angle = "20 deg", z = "-60 mm" }]
 guidance = "piston"
 main_stiffness = ["1000 kN/mm", "800 kN/mm"]
-torque = [{ order = 0, cos = "60 N m" }, { order = 0.5, sin = "150 N m" }]
+torque = [{ order = 0, cos = "60 N m" }, { order = "1/2", sin = "150 N m" }]
 
 [[simulation.event]]
 when = "3 revolutions"

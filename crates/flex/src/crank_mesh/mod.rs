@@ -17,6 +17,7 @@ mod net;
 mod options;
 mod places;
 mod plain;
+mod rim;
 mod rings;
 mod segment;
 mod slugs;

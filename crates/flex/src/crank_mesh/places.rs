@@ -9,6 +9,7 @@
 //! Points beside them follow: the displacement is the mean of that of their neighbours, and none at outlines.
 
 use super::circles::{Arrangement, arc_middle};
+use super::rim::Rim;
 use super::rings::{Rank, layer_radii};
 use super::segment::{Bar, TINY, refuse};
 use crate::FlexError;
@@ -25,6 +26,8 @@ struct Face {
     circles: BTreeMap<usize, f64>,
     /// Displacement of each point [m]; empty where none moves.
     moved: Vec<Point>,
+    /// Edges along the circles of steps of nose and flange, with the middles of these.
+    rims: BTreeMap<[usize; 2], Point>,
 }
 
 /// Places of points and edges along z.
@@ -35,7 +38,7 @@ pub(super) struct Places<'a> {
 }
 
 impl<'a> Places<'a> {
-    /// `nets`: what is beside the front and the rear face of each bar.
+    /// `nets`: what is beside the front and the rear face of each bar; `rims`: of the bars that are thin steps of an end.
     ///
     /// # Errors
     /// A bore that has no room beside a journal or pin.
@@ -45,6 +48,7 @@ impl<'a> Places<'a> {
         core: &'a Arrangement,
         points: &[Point],
         nets: &[Option<Beside<'_>>],
+        rims: &[Option<Rim>],
     ) -> Result<Places<'a>, FlexError> {
         let mut faces = Vec::with_capacity(2 * bars.len());
         for (index, bar) in bars.iter().enumerate() {
@@ -62,8 +66,18 @@ impl<'a> Places<'a> {
                 for own in std::iter::once(bar).filter(|bar| bar.bore > 0.0).chain(through) {
                     add(own.centre, own.bore);
                 }
-                let moved = displacements(&bar.name, core, points, &circles, beside)?;
-                faces.push(Face { z: bar.faces[end], circles, moved });
+                // Its own rim, and that of a step that begins at this face.
+                let z = bar.faces[end];
+                let next = if end == 0 { index.checked_sub(1) } else { Some(index + 1) };
+                let next = next.filter(|next| {
+                    bars.get(*next).is_some_and(|next| (next.faces[1 - end] - z).abs() < TINY)
+                });
+                let here: Vec<&Rim> =
+                    [Some(index), next].into_iter().filter_map(|bar| rims[bar?].as_ref()).collect();
+                let moved = displacements(&bar.name, core, points, &circles, beside, &here)?;
+                let rims =
+                    here.iter().flat_map(|rim| rim.edges.iter().map(|edge| (*edge, rim.centre))).collect();
+                faces.push(Face { z, circles, moved, rims });
             }
         }
         Ok(Places { core, faces })
@@ -84,6 +98,10 @@ impl<'a> Places<'a> {
 
     fn on(&self, face: &Face, key: [usize; 2], plain: Point, points: &[Point]) -> Point {
         let moved = key.map(|point| face.moved.get(point).copied().unwrap_or(Point::ORIGIN));
+        if let Some(centre) = face.rims.get(&key) {
+            let [a, b] = [0, 1].map(|end| points[key[end]] + moved[end]);
+            return arc_middle(*centre, a, b);
+        }
         let along = self.core.along.get(&key).map_or(&[][..], |along| along);
         match along.iter().find(|circle| face.circles.contains_key(circle)) {
             Some(circle) => {
@@ -112,6 +130,7 @@ fn displacements(
     points: &[Point],
     circles: &BTreeMap<usize, f64>,
     beside: Option<Beside<'_>>,
+    rims: &[&Rim],
 ) -> Result<Vec<Point>, FlexError> {
     let mut given: BTreeMap<usize, Point> = BTreeMap::new();
     for (point, through) in core.through.iter().enumerate() {
@@ -140,6 +159,20 @@ fn displacements(
             given.insert(point, to - at);
         }
     }
+    for rim in rims {
+        for (point, to) in rim.places(points) {
+            let by = to - points[point];
+            if given.insert(point, by).is_some_and(|own| (own - by).norm() > TINY) {
+                let at = points[point];
+                let message = format!(
+                    "its circle comes too near to another one at ({:.2}, {:.2}) mm, seen along the crank",
+                    1e3 * at.x,
+                    1e3 * at.y
+                );
+                return Err(refuse(name, message, "another diameter"));
+            }
+        }
+    }
     if given.values().all(|moved| moved.norm() < 1e-12) {
         return Ok(Vec::new());
     }
@@ -147,16 +180,17 @@ fn displacements(
     for (point, by) in &given {
         moved[*point] = *by;
     }
-    let Some(beside) = beside else { return Ok(moved) };
+    let around = beside.map_or(&[][..], |beside| beside.triangles).iter().map(|(triangle, _)| triangle);
     let mut neighbours: BTreeMap<usize, BTreeSet<usize>> = BTreeMap::new();
-    for (triangle, _) in beside.triangles {
+    for triangle in around.chain(rims.iter().flat_map(|rim| &rim.disc)) {
         for k in 0..3 {
             let (a, b) = (triangle[k], triangle[(k + 1) % 3]);
             neighbours.entry(a).or_default().insert(b);
             neighbours.entry(b).or_default().insert(a);
         }
     }
-    neighbours.retain(|point, _| !given.contains_key(point) && !beside.fixed.contains(point));
+    let is_fixed = |point: &usize| beside.is_some_and(|beside| beside.fixed.contains(point));
+    neighbours.retain(|point, _| !given.contains_key(point) && !is_fixed(point));
     for _ in 0..SWEEPS {
         for (point, around) in &neighbours {
             let sum = around.iter().fold(Point::ORIGIN, |sum, other| sum + moved[*other]);

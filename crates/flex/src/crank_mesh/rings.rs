@@ -86,11 +86,11 @@ fn inner_radii(bar: &Bar, fillet: f64, layers: usize) -> Vec<f64> {
     radii
 }
 
-/// Circles about each centre.
+/// Circles about each centre, but for steps of nose and flange, which have no lines of their own.
 pub(super) fn rings(bars: &[Bar], layers: usize, size: f64) -> Vec<Rings> {
     let mut all: Vec<Rings> = Vec::new();
     let mut radii: Vec<Vec<(Rank, f64)>> = Vec::new();
-    for bar in bars {
+    for bar in bars.iter().filter(|bar| !bar.is_end) {
         let mut add = |is_bore: bool, own: Vec<(Rank, f64)>, chord: f64, layer: f64| {
             let is_own =
                 |rings: &Rings| rings.is_bore == is_bore && (rings.centre - bar.centre).norm() < TINY;

@@ -11,6 +11,7 @@ use super::net::net;
 use super::options::{CrankMeshOptions, check_options};
 use super::places::{Beside, Places};
 use super::plain::plain_body;
+use super::rim::Rim;
 use super::rings::rings;
 use super::segment::{Bar, Segment, Stack, TINY, check_fillets, refuse, segments};
 use super::slugs::slugs;
@@ -18,8 +19,8 @@ use super::stack::{Core, StackNet, reaches_over, solids, stack_net};
 use crate::mesh::{CarriedWeight, Mesh, MeshQuality, NodeSet, quality};
 use crate::{FlexError, LEAST_JACOBIAN, Material};
 use lanchester_geometry::crankshaft::CrankshaftBody;
-use lanchester_model::{CrankElement, Engine};
-use lanchester_shape::Point;
+use lanchester_model::{CrankElement, CrankElementForm, Engine};
+use lanchester_shape::{Outline, Point};
 use serde::Serialize;
 use std::collections::HashMap;
 use std::f64::consts::{FRAC_PI_4, PI, TAU};
@@ -74,8 +75,8 @@ pub struct WebPlace {
     pub nodes: Vec<u32>,
 }
 
-/// The mesh of a crankshaft. Sets: `MAIN_1` .. and `PIN_1` .. (the bearing surfaces between the fillets), `FREE_END`, `FLYWHEEL` (the end
-/// faces).
+/// The mesh of a crankshaft. Sets: `MAIN_1` .. and `PIN_1` .. (the bearing surfaces between the fillets), `NOSE_1` .. and `FLANGE_1` .. (the round surfaces of
+/// their steps), `FREE_END`, `FLYWHEEL` (the end faces).
 #[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct CrankMesh {
     /// The mesh.
@@ -89,7 +90,7 @@ pub struct CrankMesh {
     pub webs: Vec<WebPlace>,
     /// Counterweights without a shape: their centrifugal forces load the mesh, their masses are not in it.
     pub weights: Vec<CarriedWeight>,
-    /// Mass of the body that is meshed, without fillets; of its nose and flange too, which are not; of a bay that of the whole crankshaft [kg].
+    /// Mass of the body that is meshed, without fillets; of a bay that of the whole crankshaft [kg].
     pub body_mass: f64,
     /// What of the crankshaft is not meshed, or not as it is.
     pub left_out: Vec<String>,
@@ -116,7 +117,62 @@ impl CrankMesh {
 /// (counterweights of another density, and those that reach over a journal or pin along the crank and touch it); [`FlexError::Crowded`] for a
 /// mesh below [`LEAST_JACOBIAN`], for which another number of elements across the fillets is worth a try.
 pub fn crank_mesh(engine: &Engine, index: usize, options: CrankMeshOptions) -> Result<CrankMesh, FlexError> {
-    mesh_of(engine, index, options, None)
+    // Circles of nose and flange may come too near to others for elements between them: the rest is meshed without them.
+    let all = mesh_of(engine, index, options, None, Ends::All);
+    if !has_ends(engine, index) {
+        return all;
+    }
+    let is_room = |found: &Result<CrankMesh, FlexError>| {
+        !matches!(found, Err(FlexError::Crowded { .. } | FlexError::Mesh { .. }))
+    };
+    if is_room(&all) {
+        return all;
+    }
+    match mesh_of(engine, index, options, None, Ends::Flange) {
+        found if is_room(&found) => found,
+        _ => mesh_of(engine, index, options, None, Ends::None),
+    }
+}
+
+/// Which steps beyond the end journals are meshed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Ends {
+    All,
+    Flange,
+    None,
+}
+
+/// Whether a crankshaft has steps beyond its end journals.
+fn has_ends(engine: &Engine, index: usize) -> bool {
+    engine.crank_elements(index).is_ok_and(|elements| elements.iter().any(is_end))
+}
+
+impl Ends {
+    /// Whether a step is meshed.
+    pub fn has(self, element: &CrankElement) -> bool {
+        match element.form {
+            CrankElementForm::Flange { .. } => self != Ends::None,
+            _ => self == Ends::All,
+        }
+    }
+}
+
+/// A step of nose or flange.
+pub(super) fn is_end(element: &CrankElement) -> bool {
+    matches!(element.form, CrankElementForm::Nose { .. } | CrankElementForm::Flange { .. })
+}
+
+/// Mass by which the steps of nose and flange that are meshed, their bores filled, and those that are not differ from the body [kg].
+fn end_mass(elements: &[CrankElement], ends: Ends) -> f64 {
+    let of = |element: &CrankElement| {
+        let bar = element.bar()?;
+        let mass = |area: f64| element.density * FRAC_PI_4 * area * element.length();
+        Some(match ends.has(element) {
+            true => mass(bar.bore.powi(2)),
+            false => -mass(bar.diameter.powi(2) - bar.bore.powi(2)),
+        })
+    };
+    elements.iter().filter(|element| is_end(element)).filter_map(of).sum()
 }
 
 /// Meshes the bay of a pin of crankshaft `index`: what lies between the middles of the two main journals beside it, at the place where it is in
@@ -130,7 +186,7 @@ pub fn crank_mesh_of_bay(
     options: CrankMeshOptions,
     pin: usize,
 ) -> Result<CrankMesh, FlexError> {
-    mesh_of(engine, index, options, Some(pin))
+    mesh_of(engine, index, options, Some(pin), Ends::None)
 }
 
 fn mesh_of(
@@ -138,6 +194,7 @@ fn mesh_of(
     index: usize,
     options: CrankMeshOptions,
     pin: Option<usize>,
+    ends: Ends,
 ) -> Result<CrankMesh, FlexError> {
     check_options(options)?;
     let (body, mut left_out) = plain_body(engine, index)?;
@@ -145,8 +202,9 @@ fn mesh_of(
         .crank_elements(index)
         .map_err(|fault| refuse("crankshaft", fault.to_string(), "complete [crank.body] and [crank]"))?;
     check_size(&body, options)?;
-    let (bars, segments) = segments(&elements, options, &mut left_out)?;
-    let (bars, segments, ends) = match pin {
+    let why = if pin.is_some() { "beyond the bay" } else { "no room for its elements" };
+    let (bars, segments) = segments(&elements, options, ends, why, &mut left_out)?;
+    let (bars, segments, faces) = match pin {
         None => (bars, segments, ["FREE_END", "FLYWHEEL"]),
         Some(pin) => {
             let (bars, segments) = bay(&bars, &segments, pin)?;
@@ -181,23 +239,35 @@ fn mesh_of(
         nets.push(match segment {
             Segment::Bar(_) => None,
             Segment::Stack(stack) => {
-                let solids = solids(&body, stack, &bars);
+                let mut solids = solids(&body, stack, &bars);
+                if !stack.is_web {
+                    // Bores of the ends are filled.
+                    for solid in &mut solids {
+                        let outer = solid.outline.outer().clone();
+                        solid.outline = Outline::new(outer, Vec::new())
+                            .map_err(|error| refuse(&stack.name, error.to_string(), "another diameter"))?;
+                    }
+                }
                 known.extend(solids.iter().map(|solid| solid.name.clone()));
                 Some(stack_net(&mut sweep, stack, &solids, &core)?)
             }
         });
     }
     let beside = beside(&bars, &segments, &nets);
-    let places = Places::new(&bars, layers, &circles, &sweep.points, &beside)?;
+    let rims = rims(&sweep, &core)?;
+    let places = Places::new(&bars, layers, &circles, &sweep.points, &beside, &rims)?;
     for (place, segment) in segments.iter().enumerate() {
         match segment {
-            Segment::Bar(bar) => {
-                let bar = &bars[*bar];
+            Segment::Bar(index) => {
+                let bar = &bars[*index];
                 check_beside(&body, bar, &known)?;
                 let [outer, bore] = [bar.radius, bar.bore].map(|radius| circles.circle(bar.centre, radius));
                 let own = |at: Point| outer.contains(at) && !bore.contains(at);
-                let disc: Vec<([usize; 3], u32)> =
-                    sweep.pick(&core_net, own).into_iter().map(|triangle| (triangle, 0)).collect();
+                let disc = match &rims[*index] {
+                    Some(rim) => rim.triangles.clone(),
+                    None => sweep.pick(&core_net, own),
+                };
+                let disc: Vec<([usize; 3], u32)> = disc.into_iter().map(|triangle| (triangle, 0)).collect();
                 let beside: Vec<&StackNet> = [place.checked_sub(1), Some(place + 1)]
                     .into_iter()
                     .filter_map(|side| nets.get(side?)?.as_ref())
@@ -227,7 +297,7 @@ fn mesh_of(
     }
     let mut mesh = std::mem::take(&mut sweep.mesh);
     let webs = webs(&mesh, &bars, &segments);
-    let corners = finish(&mut mesh, &bars, &segments, ends);
+    let corners = finish(&mut mesh, &bars, &segments, faces);
     let quality = quality(&mesh).map_err(|error| match error {
         FlexError::Inverted { element, at, jacobian, needed } => {
             misshapen(&bars, element, at, jacobian, needed)
@@ -240,7 +310,36 @@ fn mesh_of(
     }
     mesh.weights = carried_weights(&mesh, engine, index, &elements);
     let weights = mesh.weights.clone();
-    Ok(CrankMesh { mesh, quality, corners, webs, weights, body_mass: body.mass.mass, left_out })
+    let body_mass = match pin {
+        None => body.mass.mass + end_mass(&elements, ends),
+        Some(_) => body.mass.mass,
+    };
+    Ok(CrankMesh { mesh, quality, corners, webs, weights, body_mass, left_out })
+}
+
+/// The rims of steps of nose and flange that are thinner than the journal beside them.
+///
+/// # Errors
+/// [`FlexError::Crowded`] where the triangles of the journal leave no room for one.
+fn rims(sweep: &Sweep, core: &Core<'_>) -> Result<Vec<Option<Rim>>, FlexError> {
+    let mut rims: Vec<Option<Rim>> = vec![None; core.bars.len()];
+    for (index, bar) in core.bars.iter().enumerate() {
+        if !bar.is_end || core.circles.find(bar.centre, bar.radius).is_some() {
+            continue;
+        }
+        // From the steps of the nose to the first journal, from those of the flange back to the last.
+        let mut journals = core.bars.iter().filter(|bar| bar.set.starts_with("MAIN_"));
+        let journal = if bar.set.starts_with("NOSE_") { journals.next() } else { journals.next_back() };
+        // A solid step has no triangles in the bore of its journal.
+        let rim = journal.filter(|journal| journal.bore == 0.0).and_then(|journal| {
+            let outer = core.circles.circle(journal.centre, journal.radius);
+            let taken = rims.iter().flatten().flat_map(|rim| &rim.edges).flatten().copied().collect();
+            Rim::of(bar, core.net, &sweep.pick(core.net, |at| outer.contains(at)), &taken)
+        });
+        let crowded = || crowded(core.bars, bar.centre, format!("no room for the circle of {}", bar.name));
+        rims[index] = Some(rim.ok_or_else(crowded)?);
+    }
+    Ok(rims)
 }
 
 /// Refuses elements of which the body would have too many, before any is made.
@@ -397,8 +496,8 @@ fn check_beside(body: &CrankshaftBody, bar: &Bar, known: &[String]) -> Result<()
 /// Nodes of each web between the depths of its fillets.
 fn webs(mesh: &Mesh, bars: &[Bar], segments: &[Segment]) -> Vec<WebPlace> {
     let stacks = segments.iter().filter_map(|segment| match segment {
-        Segment::Stack(stack) => Some(stack),
-        Segment::Bar(_) => None,
+        Segment::Stack(stack) if stack.is_web => Some(stack),
+        _ => None,
     });
     let place = |stack: &Stack| {
         let depth = |end: usize| stack.bars[end].map_or(0.0, |bar| bars[bar].fillets[1 - end]);
@@ -435,6 +534,9 @@ fn finish(mesh: &mut Mesh, bars: &[Bar], segments: &[Segment], names: [&str; 2])
     let mut moved = mesh.nodes.clone();
     for segment in segments {
         let Segment::Stack(stack) = segment else { continue };
+        if !stack.is_web {
+            continue;
+        }
         for (end, bar) in stack.bars.iter().enumerate().filter_map(|(end, bar)| Some((end, &bars[(*bar)?]))) {
             let radius = bar.fillets[1 - end];
             let name = format!("{} at {}", bar.name, stack.name);

@@ -25,7 +25,7 @@ pub enum Analysis {
 pub fn write_deck(mesh: &Mesh, case: &StaticCase, analysis: Analysis) -> Result<String, FlexError> {
     let lacks = [
         (case.inertia_relief, "inertia relief", "give it as forces on nodes"),
-        (case.speed != 0.0, "centrifugal field", "give it as forces on nodes"),
+        (case.turns(), "field of a turning body", "give it as forces on nodes"),
     ];
     for (is_there, what, hint) in lacks {
         if is_there && analysis == Analysis::Static {

@@ -1,6 +1,6 @@
 //! From the mesh of a crankshaft to its body in few coordinates.
 //!
-//! Free natural modes, and the static shapes of a pressure on every bearing surface, of a torque at the flywheel and of the centrifugal field, each balanced by
+//! Free natural modes, or those with the bearings held (Craig and Bampton), and the static shapes of a pressure on every bearing surface, of a torque at the flywheel and of the centrifugal field, each balanced by
 //! the inertia of the body as a whole. What is left of them beside the modes is made orthonormal in the mass and diagonal in the stiffness:
 //!
 //! ```text
@@ -12,26 +12,43 @@ use super::centrifugal::{carried_by_mains, geometric};
 use super::coupling::{BearingPlace, Coupling, turning};
 use super::stress::StressBasis;
 use crate::FlexError;
-use crate::case::{StaticCase, rigid_motions};
+use crate::case::{Spring, StaticCase, rigid_motions};
 use crate::crank_case::BearingSurfaces;
 use crate::crank_mesh::CrankMesh;
 use crate::eigen::symmetric_eigen;
+use crate::mesh::Mesh;
 use crate::modes::{ModeKind, modes_watched};
 use crate::reduction::project;
 use crate::sparse::{Quantity, SolveEstimate, Structure, SymmetricMatrix, add, dot};
 use crate::statics::{SolveOptions, StaticSystem};
 use serde::Serialize;
+use std::collections::BTreeMap;
 use std::f64::consts::FRAC_2_PI;
 
 /// Cases that are solved at once.
 const TOGETHER: usize = 8;
+/// Stiffness by which surfaces are held for Craig and Bampton's modes [N/m]: far above that of a crankshaft.
+const HELD: f64 = 1e11;
 /// Share of a static shape beside the modes, in its mass, below which it adds nothing.
 const LEFT: f64 = 1e-9;
+
+/// Which modes stand beside the static shapes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, schemars::JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum BasisKind {
+    /// Those of the free crankshaft; static shapes are balanced by the inertia of the body as a whole.
+    #[default]
+    FreeInterface,
+    /// Craig and Bampton's: those with the mean motions of all bearing surfaces and of the flywheel's face held; static shapes are balanced at these.
+    CraigBampton,
+}
 
 /// How many coordinates.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct BasisOptions {
-    /// Free natural modes beyond the rigid motions.
+    /// Which modes.
+    pub kind: BasisKind,
+    /// Natural modes, of the free crankshaft beyond the rigid motions.
     pub modes: usize,
     /// Share of critical damping of every mode.
     pub damping: f64,
@@ -41,7 +58,7 @@ pub struct BasisOptions {
 
 impl Default for BasisOptions {
     fn default() -> BasisOptions {
-        BasisOptions { modes: 20, damping: 0.01, memory: 8 << 30 }
+        BasisOptions { kind: BasisKind::FreeInterface, modes: 20, damping: 0.01, memory: 8 << 30 }
     }
 }
 
@@ -52,7 +69,7 @@ pub struct CrankBasis {
     pub body: CrankBody,
     /// Stress at the fillets.
     pub stress: StressBasis,
-    /// Free natural frequencies that were kept [Hz].
+    /// Natural frequencies of the modes that were kept [Hz].
     pub frequencies: Vec<f64>,
 }
 
@@ -82,22 +99,31 @@ pub fn crank_basis(
         .collect::<Result<_, _>>()?;
     let turn = turning(mesh, surfaces.areas("FLYWHEEL")?)?;
     let solve = SolveOptions { memory: options.memory, ..SolveOptions::default() };
-    let found = modes_watched(mesh, &StaticCase::default(), options.modes + 6, solve, watch)?;
+    let held = match options.kind {
+        BasisKind::FreeInterface => StaticCase::default(),
+        BasisKind::CraigBampton => held_surfaces(mesh, &couplings, &turn, surfaces.areas("FLYWHEEL")?),
+    };
+    let rigid = if options.kind == BasisKind::FreeInterface { 6 } else { 0 };
+    let found = modes_watched(mesh, &held, options.modes + rigid, solve, watch)?;
     let modes: Vec<_> = found.modes.into_iter().filter(|mode| mode.kind != ModeKind::Rigid).collect();
 
     let base = StaticCase { name: "static shapes".to_owned(), inertia_relief: true, ..StaticCase::default() };
-    let mut cases = Vec::new();
+    let shape_base = match options.kind {
+        BasisKind::FreeInterface => base.clone(),
+        BasisKind::CraigBampton => held,
+    };
+    let mut shapes = Vec::new();
     for coupling in &couplings {
-        cases.push(coupling.push(base.clone(), [1e3, 0.0]));
-        cases.push(coupling.push(base.clone(), [0.0, 1e3]));
+        shapes.push(coupling.push(shape_base.clone(), [1e3, 0.0]));
+        shapes.push(coupling.push(shape_base.clone(), [0.0, 1e3]));
     }
-    let mut twist = base.clone();
+    let mut twist = shape_base.clone();
     for (node, w) in &turn {
         twist = twist.push(&[(*node, 1.0)], [w[0], w[1], 0.0]);
     }
-    cases.push(twist);
-    cases.push(StaticCase { speed: 100.0, ..base.clone() });
-    let shapes = cases.len();
+    shapes.push(twist);
+    shapes.push(StaticCase { speed: 100.0, ..shape_base });
+    let mut cases = Vec::new();
     // What a pressure over one half has beside its cosine: |cos|, by its first orders.
     for coupling in &couplings {
         let p = FRAC_2_PI / coupling.projected();
@@ -110,14 +136,16 @@ pub fn crank_basis(
     }
     let mut system = StaticSystem::new_watched(mesh, &base, solve, watch)?;
     cases.push(carried_by_mains(mesh, &base, &system, bearings, &couplings)?);
-    let mut solved: Vec<Vec<[f64; 3]>> = Vec::with_capacity(cases.len());
-    for block in cases.chunks(TOGETHER) {
-        let solutions = system.solve(&block.iter().collect::<Vec<_>>())?;
-        solved.extend(solutions.into_iter().map(|solution| solution.displacements));
-    }
-    drop(system);
-    let carried = solved.pop().unwrap_or_default();
-    let patterns = solved.split_off(shapes);
+    let mut patterns = displacements(&mut system, &cases)?;
+    let carried = patterns.pop().unwrap_or_default();
+    let solved = match options.kind {
+        BasisKind::FreeInterface => displacements(&mut system, &shapes)?,
+        BasisKind::CraigBampton => {
+            drop(system);
+            let turning = shapes.last().unwrap_or(&base);
+            displacements(&mut StaticSystem::new_watched(mesh, turning, solve, watch)?, &shapes)?
+        }
+    };
 
     let structure = Structure::new(mesh, &[]);
     let mass = structure.assemble(mesh, Quantity::Mass, &[]);
@@ -202,6 +230,39 @@ pub fn crank_basis(
 }
 
 type Plane = super::plane::Plane;
+
+/// Displacements under each case.
+fn displacements(
+    system: &mut StaticSystem<'_>,
+    cases: &[StaticCase],
+) -> Result<Vec<Vec<[f64; 3]>>, FlexError> {
+    let mut solved = Vec::with_capacity(cases.len());
+    for block in cases.chunks(TOGETHER) {
+        let solutions = system.solve(&block.iter().collect::<Vec<_>>())?;
+        solved.extend(solutions.into_iter().map(|solution| solution.displacements));
+    }
+    Ok(solved)
+}
+
+/// Stiff springs on the mean motions of all bearing surfaces, and on the flywheel's face along and about the axis.
+fn held_surfaces(
+    mesh: &Mesh,
+    couplings: &[Coupling],
+    turn: &[(u32, Plane)],
+    face: &BTreeMap<u32, [f64; 3]>,
+) -> StaticCase {
+    let area: f64 = face.values().map(|area| area[2].abs()).sum();
+    let arm =
+        face.keys().map(|node| mesh.nodes[*node as usize]).map(|[x, y, _]| x.hypot(y)).fold(0.0, f64::max);
+    let along = face.iter().map(|(node, own)| (*node, [0.0, 0.0, own[2].abs() / area])).collect();
+    let about = turn.iter().map(|(node, w)| (*node, [arm * w[0], arm * w[1], 0.0])).collect();
+    let spring = |name: &str, nodes| Spring { name: name.to_owned(), stiffness: HELD, nodes };
+    let mut springs = vec![spring("FLYWHEEL z", along), spring("FLYWHEEL turning", about)];
+    for coupling in couplings {
+        springs.extend(coupling.translation().map(|nodes| spring("bearing", nodes)));
+    }
+    StaticCase { name: "surfaces held".to_owned(), springs, ..StaticCase::default() }
+}
 
 /// Vectors orthonormal in the mass, and their images.
 struct Orthonormal<'a> {

@@ -119,6 +119,11 @@ impl Coupling {
         sum
     }
 
+    /// Weights of the nodes in the translation along x and along y.
+    pub fn translation(&self) -> [Vec<(u32, [f64; 3])>; 2] {
+        [0, 1].map(|k| self.weights.iter().map(|(node, [w, _])| (*node, [w[k][0], w[k][1], 0.0])).collect())
+    }
+
     /// Mean rotation about the bar's own axis under displacements of all nodes.
     pub fn turn(&self, mesh: &Mesh, displacements: &[[f64; 3]]) -> f64 {
         let weight = |[x, y, _]: &[f64; 3]| x.hypot(*y);

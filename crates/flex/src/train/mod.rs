@@ -23,7 +23,7 @@ mod stage;
 mod stress;
 mod ties;
 
-pub use basis::{BasisOptions, CrankBasis, crank_basis};
+pub use basis::{BasisKind, BasisOptions, CrankBasis, crank_basis};
 pub use body::CrankBody;
 pub use coupling::BearingPlace;
 pub use cycle::{

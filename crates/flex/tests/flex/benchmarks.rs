@@ -1,54 +1,21 @@
 //! Published benchmarks of elastic bodies.
 
-use crate::elements::round_bar;
 use lanchester_flex::Material;
 use lanchester_flex::case::StaticCase;
 use lanchester_flex::element::ElementKind;
-use lanchester_flex::mesh::{Mesh, mapped_block, surface, surface_areas};
-use lanchester_flex::modes::{ModeKind, modes};
+use lanchester_flex::known_bodies::{
+    held_quarter, quarter_cylinder, thick_plate_stress, torsional_frequencies,
+};
 use lanchester_flex::statics::{SolveOptions, node_stresses, solve_static};
-use std::f64::consts::FRAC_PI_2;
 
 const YOUNG: f64 = 210e9;
 const POISSON: f64 = 0.3;
 const DENSITY: f64 = 7850.0;
 
-fn steel() -> Material {
-    Material { name: "steel".to_owned(), youngs_modulus: YOUNG, poisson_ratio: POISSON, density: DENSITY }
-}
-
-/// Stress [Pa] along y at the point D of NAFEMS' thick plate: a quarter of a plate between two ellipses, 0.6 m thick, held in its plane along its outer edge and along z
-/// at half its height there, under 1 MPa on its upper face.
-fn thick_plate(cells: [usize; 3]) -> f64 {
-    let height = 0.6;
-    let mesh = mapped_block(ElementKind::Hexahedron, cells, steel(), |x| {
-        let (sin, cos) = (FRAC_PI_2 * x[1]).sin_cos();
-        let between = |inner: f64, outer: f64| inner + (outer - inner) * x[0];
-        [between(2.0, 3.25) * cos, between(1.0, 2.75) * sin, height * x[2]]
-    });
-    let is_outer = |x: &[f64; 3]| ((x[0] / 3.25).powi(2) + (x[1] / 2.75).powi(2) - 1.0).abs() < 1e-9;
-    let outer = mesh.pick(is_outer);
-    let mut case = StaticCase::default()
-        .hold(&mesh.pick(|x| x[1].abs() < 1e-9 && !is_outer(x)), 1, 0.0)
-        .hold(&mesh.pick(|x| x[0].abs() < 1e-9 && !is_outer(x)), 0, 0.0)
-        .hold(&outer, 0, 0.0)
-        .hold(&outer, 1, 0.0)
-        .hold(&mesh.pick(|x| is_outer(x) && (x[2] - height / 2.0).abs() < 1e-9), 2, 0.0);
-    let is_upper = |node: &u32| mesh.nodes[*node as usize][2] > height - 1e-9;
-    let (faces, _) = surface(&mesh);
-    let upper: Vec<_> = faces.into_iter().filter(|face| face.nodes.iter().all(is_upper)).collect();
-    for (node, area) in surface_areas(&mesh, &upper) {
-        case = case.push(&[(node, 1.0)], area.map(|area| -1e6 * area));
-    }
-    let solution = solve_static(&mesh, &case, SolveOptions::default()).unwrap();
-    let point = mesh.pick(|x| (x[0] - 2.0).abs() < 1e-9 && x[1].abs() < 1e-9 && x[2] > height - 1e-9)[0];
-    node_stresses(&mesh, &solution.displacements)[point as usize].stress.0[1]
-}
-
 /// NAFEMS, The Standard NAFEMS Benchmarks, 1990, test LE10: -5.38 MPa.
 #[test]
 fn lit_nafems_le10_thick_plate() {
-    let found = [[4, 6, 2], [8, 12, 4], [12, 18, 6]].map(thick_plate);
+    let found = [[4, 6, 2], [8, 12, 4], [12, 18, 6]].map(|cells| thick_plate_stress(cells).unwrap());
     // -5.505, -5.414 and -5.389 MPa: nearer with every refinement.
     let off = found.map(|stress| (stress / -5.38e6 - 1.0).abs());
     assert!(off[2] < off[1] && off[1] < off[0] && off[1] < 0.02 && off[2] < 0.005, "{found:?}");
@@ -63,15 +30,8 @@ fn lit_nafems_le10_thick_plate() {
 fn lit_turning_cylinder_has_its_centrifugal_stress() {
     let [inner, outer, height, speed] = [0.02_f64, 0.1, 0.02, 1000.0];
     for kind in ElementKind::ALL {
-        let mesh: Mesh = mapped_block(kind, [16, 12, 1], steel(), |x| {
-            let radius = inner * (outer / inner).powf(x[0]);
-            let (sin, cos) = (FRAC_PI_2 * x[1]).sin_cos();
-            [radius * cos, radius * sin, height * x[2]]
-        });
-        let case = StaticCase { speed, ..StaticCase::default() }
-            .hold(&mesh.pick(|x| x[1].abs() < 1e-9), 1, 0.0)
-            .hold(&mesh.pick(|x| x[0].abs() < 1e-9), 0, 0.0)
-            .hold(&mesh.pick(|x| x[2].abs() < 1e-9 || x[2] > height - 1e-9), 2, 0.0);
+        let mesh = quarter_cylinder(kind, 16, [inner, outer, height]);
+        let case = StaticCase { speed, ..held_quarter(&mesh, height) };
         let solution = solve_static(&mesh, &case, SolveOptions::default()).unwrap();
         let stresses = node_stresses(&mesh, &solution.displacements);
         let k = (3.0 - 2.0 * POISSON) / (8.0 * (1.0 - POISSON)) * DENSITY * speed * speed;
@@ -108,14 +68,9 @@ fn lit_turning_cylinder_has_its_centrifugal_stress() {
 /// f_n = (n/2L) sqrt(G/rho) of a free round bar, exact: its cross-sections do not warp.
 #[test]
 fn lit_free_round_bar_has_its_first_three_torsional_modes() {
-    let (length, radius) = (0.4_f64, 0.02_f64);
-    let mesh = round_bar(length, radius, 24);
-    let options = SolveOptions { count_modes: true, ..SolveOptions::default() };
-    let found = modes(&mesh, &StaticCase::default(), 26, options).unwrap();
-    assert_eq!(found.count.unwrap().missing(), Some(0));
-    let wave = (steel().lame()[1] / DENSITY).sqrt();
-    let torsion = found.modes.iter().filter(|mode| mode.kind == ModeKind::Torsion);
-    let torsion: Vec<f64> = torsion.map(|mode| mode.frequency).collect();
+    let length = 0.4_f64;
+    let torsion = torsional_frequencies([length, 0.02], 24, 26).unwrap();
+    let wave = (Material::steel().lame()[1] / DENSITY).sqrt();
     for n in 1..=3 {
         let off = torsion[n - 1] / (n as f64 * wave / (2.0 * length)) - 1.0;
         assert!(off.abs() < 1e-4, "{n}: {off}");

@@ -1,12 +1,12 @@
 //! The mesh of a crankshaft and its static case.
 
 use lanchester_flex::FlexError;
-use lanchester_flex::crank_case::{CrankLoad, CrankSupport, PinLoad, crank_cases};
+use lanchester_flex::crank_case::{CrankCase, CrankLoad, CrankSupport, PinLoad, crank_cases};
 use lanchester_flex::crank_mesh::{CrankMesh, CrankMeshOptions, crank_mesh};
 use lanchester_flex::crank_solve::solve_crank;
 use lanchester_flex::mesh::surface;
 use lanchester_flex::sparse::Precision;
-use lanchester_flex::statics::SolveOptions;
+use lanchester_flex::statics::{SolveOptions, as_node_forces};
 use lanchester_geometry::crankshaft::crankshaft;
 use lanchester_model::Engine;
 use std::f64::consts::{PI, TAU};
@@ -198,4 +198,40 @@ fn sharp_corner_has_no_stress() {
     // The force and the centre of mass are in the plane of the throw and in its middle: the body does not turn.
     assert!((acceleration[0] / wanted - 1.0).abs() < 1e-5, "{acceleration:?} {wanted}");
     assert!(acceleration[3..].iter().all(|turn| turn.abs() < 1e-4 * wanted.abs()), "{acceleration:?}");
+}
+
+/// A crankshaft that speeds up is held back by its own inertia, `W' I_zz` about its axis; free, it follows without any stress.
+#[test]
+fn a_crankshaft_that_speeds_up_is_loaded_by_its_inertia() {
+    let engine = one_throw("pin_fillet = \"4 mm\"\njournal_fillet = \"4 mm\"");
+    let crank = crank_mesh(&engine, 0, coarse(true)).unwrap();
+    let load = CrankLoad { acceleration: 2e4, ..CrankLoad::default() };
+    let solve = |support: CrankSupport| {
+        solve_crank(&crank, &support, std::slice::from_ref(&load), SolveOptions::default()).unwrap().remove(0)
+    };
+    let held = solve(CrankSupport::Journals);
+    let torque = |forces: &[[f64; 3]]| {
+        forces.iter().zip(&crank.mesh.nodes).map(|(f, at)| at[0] * f[1] - at[1] * f[0]).sum::<f64>()
+    };
+    let wanted = 2e4 * crank.quality.inertia[2];
+    let found = torque(&held.solution.reactions);
+    assert!((found / wanted - 1.0).abs() < 1e-9, "{found} {wanted}");
+    // Across the throw, against the sense in which it speeds up.
+    let across = -2e4 * crank.quality.mass * crank.quality.centre[0];
+    assert!((held.solution.load[1] / across - 1.0).abs() < 1e-9, "{:?} {across}", held.solution.load);
+    let largest = |case: &CrankCase| {
+        case.peaks.iter().filter_map(|peak| peak.stress).map(|own| own.von_mises).fold(0.0, f64::max)
+    };
+    let free = solve(CrankSupport::Free);
+    assert!(largest(&free) < 1e-7 * largest(&held), "{} {}", largest(&free), largest(&held));
+    let plain = as_node_forces(
+        &crank.mesh,
+        &crank_cases(&crank, &CrankSupport::Journals, &[load.clone()]).unwrap()[0],
+    );
+    let given: Vec<[f64; 3]> =
+        plain.unwrap().forces.iter().fold(vec![[0.0; 3]; crank.mesh.nodes.len()], |mut all, own| {
+            all[own.node as usize] = own.force;
+            all
+        });
+    assert!((torque(&given) / wanted + 1.0).abs() < 1e-9, "as forces on nodes {} {wanted}", torque(&given));
 }

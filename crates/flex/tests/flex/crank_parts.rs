@@ -108,3 +108,35 @@ fn what_is_not_meshed_is_named_with_its_cause() {
         &["insert or hole of 24.00 mm"],
     );
 }
+
+/// Nose and flange are meshed, thinner and thicker than the journals, with the mass of the exact body and its centre; a bore is filled, and told.
+#[test]
+fn nose_and_flange_are_meshed() {
+    let ends = |nose: &str, flange: &str| {
+        engine(&format!(
+            "[[crank.body.nose]]\nlength = \"30 mm\"\ndiameter = \"{nose}\"\n[[crank.body.flange]]\nlength = \"12 mm\"\ndiameter = \"{flange}\"\n"
+        ))
+    };
+    let bare = meshed("no ends", &engine(""));
+    for (nose, flange) in [("36 mm", "96 mm"), ("34 mm", "40 mm"), ("80 mm", "70 mm"), ("55 mm", "55 mm")] {
+        let name = format!("{nose} and {flange}");
+        let crank = meshed(&name, &ends(nose, flange));
+        assert!(crank.left_out.is_empty(), "{name}: {:?}", crank.left_out);
+        let z = |set: &str| crank.mesh.nodes[crank.mesh.set(set).unwrap().nodes[0] as usize][2];
+        let length = z("FLYWHEEL") - z("FREE_END");
+        assert!((length - (0.048 + 0.02 + 0.05 + 0.042)).abs() < 1e-9, "{name}: {length}");
+        // No line of theirs runs through pins and webs.
+        let webs = |crank: &CrankMesh| crank.webs.iter().map(|web| web.nodes.len()).sum::<usize>();
+        assert_eq!(webs(&crank), webs(&bare), "{name}");
+        assert_eq!(crank.corners.len(), bare.corners.len(), "{name}");
+    }
+    // 52 mm is nearer to the journal's 55 mm than an element is wide: the flange alone is meshed.
+    let crank = crank_mesh(&ends("52 mm", "96 mm"), 0, SIZES).unwrap();
+    assert_eq!(crank.left_out, ["nose 1 (no room for its elements)"]);
+    let fillets: f64 = crank.corners.iter().map(|corner| corner.volume()).sum();
+    assert!((crank.quality.mass / (crank.body_mass + 7850.0 * fillets) - 1.0).abs() < 1e-5);
+    let bored = engine("[[crank.body.flange]]\nlength = \"12 mm\"\ndiameter = \"96 mm\"\nbore = \"22 mm\"\n");
+    let crank = crank_mesh(&bored, 0, SIZES).unwrap();
+    assert_eq!(crank.left_out, ["bore of flange 1"]);
+    assert!((crank.quality.mass / (crank.body_mass + 7850.0 * fillets) - 1.0).abs() < 1e-5);
+}

@@ -2,12 +2,13 @@
 
 use lanchester_flex::case::{StaticCase, rigid_motions};
 use lanchester_flex::element::ElementKind;
-use lanchester_flex::mesh::{Mesh, mapped_block, quality, surface, surface_areas};
+use lanchester_flex::known_bodies::{pressed_quarter, quarter_cylinder, round_bar};
+use lanchester_flex::mesh::{mapped_block, quality, surface};
 use lanchester_flex::modes::{ModeKind, modes};
 use lanchester_flex::sparse::{Precision, Quantity, Structure};
 use lanchester_flex::statics::{SolveOptions, node_stresses, solve_static};
 use lanchester_flex::{FlexError, Material};
-use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use std::f64::consts::{FRAC_PI_2, TAU};
 
 const STEEL: [f64; 3] = [210e9, 0.3, 7850.0];
 
@@ -107,34 +108,15 @@ fn assembly_and_solution_have_the_same_bits_for_any_number_of_threads() {
     assert_eq!(one.1, two.1);
 }
 
-/// Quarter of a thick cylinder between planes that hold its ends, with pressure within.
-fn cylinder(kind: ElementKind, through: usize, [inner, outer, height]: [f64; 3]) -> Mesh {
-    mapped_block(kind, [through, through + 2, 1], steel(), |x| {
-        let radius = inner * (outer / inner).powf(x[0]);
-        let (sin, cos) = (FRAC_PI_2 * x[1]).sin_cos();
-        [radius * cos, radius * sin, height * x[2]]
-    })
-}
-
 /// Hoop stresses at the bore of a thick cylinder under pressure within, and the worst relative errors of the radial displacement and of the
 /// hoop stress through the wall.
 fn lame(kind: ElementKind, through: usize) -> (f64, f64, f64) {
     // Timoshenko and Goodier, Theory of Elasticity, section 28: plane strain, pressure p at the inner radius a.
     let [a, b, height] = LAME;
     let [e, nu, _] = STEEL;
-    let mesh = cylinder(kind, through, LAME);
-    let inside =
-        |node: &u32| (mesh.nodes[*node as usize][0].hypot(mesh.nodes[*node as usize][1]) - a).abs() < 1e-6;
-    let (faces, crowded) = surface(&mesh);
-    assert_eq!(crowded, 0);
-    let bore: Vec<_> = faces.into_iter().filter(|face| face.nodes.iter().all(inside)).collect();
-    let mut case = StaticCase::default();
-    case = case.hold(&mesh.pick(|x| x[1].abs() < 1e-9), 1, 0.0);
-    case = case.hold(&mesh.pick(|x| x[0].abs() < 1e-9), 0, 0.0);
-    case = case.hold(&mesh.pick(|x| x[2].abs() < 1e-9 || x[2] > height - 1e-9), 2, 0.0);
-    for (node, area) in surface_areas(&mesh, &bore) {
-        case = case.push(&[(node, 1.0)], area.map(|area| -PRESSURE * area));
-    }
+    let mesh = quarter_cylinder(kind, through, LAME);
+    assert_eq!(surface(&mesh).1, 0);
+    let case = pressed_quarter(&mesh, LAME, PRESSURE);
     let solution = solve_static(&mesh, &case, SolveOptions::default()).unwrap();
     let ratio = PRESSURE * a * a / (b * b - a * a);
     let moved = |r: f64| (1.0 + nu) / e * ratio * ((1.0 - 2.0 * nu) * r + b * b / r);
@@ -259,20 +241,6 @@ fn lit_slender_beam_bends_as_timoshenko_says() {
     let polar = STEEL[2] * area * length * (length * length + side * side) / 12.0;
     close("turning", acceleration[4], force * length / 2.0 / polar, 1e-6);
     assert!(relieved.reactions.iter().flatten().all(|force| force.abs() < 1e-5), "the anchors carry nothing");
-}
-
-/// A round bar along z with so many layers of elements.
-pub fn round_bar(length: f64, radius: f64, layers: usize) -> Mesh {
-    mapped_block(ElementKind::Hexahedron, [4, 4, layers], steel(), |x| {
-        let (p, q) = (2.0 * x[0] - 1.0, 2.0 * x[1] - 1.0);
-        // Squares to circles (Shirley and Chiu): concentric squares become concentric circles.
-        let (r, t) = if p.abs() >= q.abs() {
-            (p, if p == 0.0 { 0.0 } else { PI / 4.0 * q / p })
-        } else {
-            (q, FRAC_PI_2 - PI / 4.0 * p / q)
-        };
-        [radius * r * t.cos(), radius * r * t.sin(), length * x[2]]
-    })
 }
 
 #[test]

@@ -1,10 +1,8 @@
 //! A crankshaft whose webs are discs about its axis is a stepped shaft: stress of its fillets in bending and torsion against an axisymmetric
 //! computation by other means, converged to 0.02 % (`validation/external/stepped-shaft`).
 
-use lanchester_flex::case::StaticCase;
 use lanchester_flex::crank_mesh::{CrankMesh, CrankMeshOptions, crank_mesh};
-use lanchester_flex::statics::{SolveOptions, StaticSystem, node_stresses};
-use std::f64::consts::PI;
+use lanchester_flex::known_bodies::shoulder_factors;
 
 /// Diameter of the shaft [m].
 const SHAFT: f64 = 50e-3;
@@ -44,37 +42,6 @@ fn shaft(fillet_elements: usize) -> CrankMesh {
     crank_mesh(&engine, 0, options).unwrap()
 }
 
-/// Largest von Mises stress of each fillet in pure bending about y and in torsion, over the nominal one at 50 mm: of its bending stress,
-/// and of the von Mises stress of its shear.
-fn factors(crank: &CrankMesh) -> [Vec<f64>; 2] {
-    let mesh = &crank.mesh;
-    let [front, rear] = ["FREE_END", "FLYWHEEL"].map(|set| mesh.set(set).unwrap().nodes.clone());
-    let base = StaticCase::default().clamp(&rear);
-    let places: Vec<[f64; 2]> =
-        front.iter().map(|node| mesh.nodes[*node as usize]).map(|[x, y, _]| [x, y]).collect();
-    let mean = |k: usize| places.iter().map(|place| place[k]).sum::<f64>() / places.len() as f64;
-    let middle = [mean(0), mean(1)];
-    let apart: Vec<[f64; 2]> = places.iter().map(|[x, y]| [x - middle[0], y - middle[1]]).collect();
-    let second: f64 = apart.iter().map(|[x, _]| x * x).sum();
-    let polar: f64 = apart.iter().map(|[x, y]| x * x + y * y).sum();
-    let (mut bending, mut torsion) = (base.clone(), base.clone());
-    // A moment and a torque of 1 kN m without any force: what differs from the shaft's own stress dies out within a diameter.
-    for (node, [x, y]) in front.iter().zip(apart) {
-        bending = bending.push(&[(*node, 1.0)], [0.0, 0.0, 1e3 * x / second]);
-        torsion = torsion.push(&[(*node, 1.0)], [-1e3 * y / polar, 1e3 * x / polar, 0.0]);
-    }
-    let mut system = StaticSystem::new(mesh, &base, SolveOptions::default()).unwrap();
-    let solved = system.solve(&[&bending, &torsion]).unwrap();
-    let nominal = [32.0, 16.0 * 3.0f64.sqrt()].map(|k| k * 1e3 / (PI * SHAFT.powi(3)));
-    std::array::from_fn(|case| {
-        let stresses = node_stresses(mesh, &solved[case].displacements);
-        let of = |node: &u32| stresses[*node as usize].stress.von_mises();
-        let largest = |nodes: &Vec<u32>| nodes.iter().map(of).fold(0.0, f64::max);
-        let round = crank.corners.iter().filter(|corner| corner.radius > 0.0);
-        round.map(|corner| largest(&corner.nodes) / nominal[case]).collect()
-    })
-}
-
 /// Von Mises factors in bending and torsion of the first shaft there, which has these sizes.
 fn reference() -> [f64; 2] {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../validation/external/stepped-shaft/shaft.json");
@@ -93,7 +60,7 @@ fn fillets_of_a_stepped_shaft_tend_to_those_of_an_axisymmetric_computation() {
     // Elements, by how much bending and torsion are low.
     for (elements, low) in [(2, [0.225, 0.083]), (4, [0.039, 0.0015])] {
         let crank = shaft(elements);
-        for ((found, wanted), low) in factors(&crank).iter().zip(wanted).zip(low) {
+        for ((found, wanted), low) in shoulder_factors(&crank, SHAFT).unwrap().iter().zip(wanted).zip(low) {
             assert_eq!(found.len(), 2, "both journals have a fillet");
             for factor in found {
                 let off = 1.0 - factor / wanted;

@@ -2,7 +2,8 @@
 
 use crate::pressure::cylinders::{GasReport, cylinder_gas};
 use crate::pressure::measured::TraceFile;
-use crate::stress::request::{StaticRequest, StressError, StressLoad};
+use crate::stress::request::{LoadSource, StaticRequest, StressError, StressLoad};
+use crate::stress::simulated::simulated_loads;
 use lanchester_flex::crank_case::{CrankLoad, PinLoad};
 use lanchester_mechanism::{BearingPart, BearingRequest, ThrowForce, throw_forces};
 use lanchester_model::Engine;
@@ -13,7 +14,7 @@ use std::f64::consts::{PI, TAU};
 const STEP: f64 = PI / 180.0;
 
 /// Most crank angles at a time: each keeps the stress of the whole crankshaft.
-const MOST_ANGLES: usize = 360;
+pub(crate) const MOST_ANGLES: usize = 360;
 
 /// A named load.
 #[derive(Debug, Clone, PartialEq)]
@@ -26,10 +27,31 @@ pub(crate) struct NamedLoad {
     pub load: CrankLoad,
 }
 
+/// Forces that are largest at one instant: by pin the names of their sizes.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(crate) struct Extremes(Vec<(usize, Vec<&'static str>)>);
+
+impl Extremes {
+    /// Adds a size of the force on a pin.
+    pub fn add(&mut self, pin: usize, name: &'static str) {
+        match self.0.iter_mut().find(|(own, _)| *own == pin) {
+            Some((_, names)) => names.push(name),
+            None => self.0.push((pin, vec![name])),
+        }
+    }
+
+    /// "largest radial and resultant force on pin 1", by pin.
+    pub fn words(&self) -> Vec<String> {
+        let one =
+            |(pin, names): &(usize, Vec<&str>)| format!("largest {} force on pin {pin}", names.join(" and "));
+        self.0.iter().map(one).collect()
+    }
+}
+
 /// An angle at which something is largest, or a cylinder fires.
 struct Wanted {
     theta: f64,
-    extremes: Vec<(usize, Vec<&'static str>)>,
+    extremes: Extremes,
     fires: Vec<usize>,
 }
 
@@ -37,7 +59,7 @@ impl Wanted {
     /// The entry of an angle, new where there is none.
     fn at(all: &mut Vec<Wanted>, theta: f64) -> &mut Wanted {
         let place = all.iter().position(|own| (own.theta - theta).abs() < 1e-9).unwrap_or_else(|| {
-            all.push(Wanted { theta, extremes: Vec::new(), fires: Vec::new() });
+            all.push(Wanted { theta, extremes: Extremes::default(), fires: Vec::new() });
             all.len() - 1
         });
         &mut all[place]
@@ -45,24 +67,26 @@ impl Wanted {
 
     /// "largest radial and resultant force on pin 1, firing top dead centre of cylinder 1".
     fn words(&self) -> String {
-        let extreme =
-            |(pin, names): &(usize, Vec<&str>)| format!("largest {} force on pin {pin}", names.join(" and "));
         let fires =
             self.fires.iter().map(|cylinder| format!("firing top dead centre of cylinder {cylinder}"));
-        self.extremes.iter().map(extreme).chain(fires).collect::<Vec<_>>().join(", ")
+        self.extremes.words().into_iter().chain(fires).collect::<Vec<_>>().join(", ")
     }
 }
 
-/// All loads of a request, and where the pressures come from.
+/// All loads of a request, where the pressures come from, and what is to be said of them.
 pub(crate) fn named_loads(
     engine: &Engine,
     traces: &[TraceFile],
     request: &StaticRequest,
-) -> Result<(Vec<NamedLoad>, Option<String>), StressError> {
+) -> Result<(Vec<NamedLoad>, Option<String>, Vec<String>), StressError> {
     if let StressLoad::Given { forces, angle } = &request.load {
         let speeds = if request.speeds.is_empty() { vec![0.0] } else { request.speeds.clone() };
         let loads = speeds.iter().map(|speed| given(engine, request.mesh.crankshaft, *speed, forces, *angle));
-        return Ok((loads.collect::<Result<_, _>>()?, None));
+        let note = "Forces as given; the centrifugal field of the crankshaft acts where a speed is given.";
+        return Ok((loads.collect::<Result<_, _>>()?, None, vec![note.to_owned()]));
+    }
+    if let LoadSource::Simulation(source) = &request.source {
+        return simulated_loads(engine, traces, request, source);
     }
     let mut speeds = request.speeds.clone();
     if speeds.is_empty() {
@@ -78,7 +102,9 @@ pub(crate) fn named_loads(
         loads.extend(of_closed_form(engine, gas.as_ref(), speed, request)?);
         source = gas.map(|gas| gas.source).or(source);
     }
-    Ok((loads, source))
+    let note = "Forces of gas and of the inertia of pistons and rods from the closed form at constant speed, sought in steps of 1 deg; the crankshaft's own \
+                centrifugal field acts.";
+    Ok((loads, source, vec![note.to_owned()]))
 }
 
 fn named(
@@ -104,6 +130,7 @@ fn named(
                 .map(|own| PinLoad { pin: own.throw + 1, force: [own.force.re, own.force.im] })
                 .collect(),
             speed: ratio * speed,
+            acceleration: 0.0,
             turn: turn(engine, crankshaft, theta),
         },
     }
@@ -119,7 +146,7 @@ fn turn(engine: &Engine, crankshaft: usize, theta: f64) -> f64 {
 type Size = (&'static str, fn(&ThrowForce) -> f64);
 
 /// Sizes whose extremes are load cases.
-const SIZES: [Size; 3] = [
+pub(crate) const SIZES: [Size; 3] = [
     ("radial", |own| own.radial.abs()),
     ("tangential", |own| own.tangential.abs()),
     ("resultant", |own| own.force.norm()),
@@ -160,11 +187,7 @@ fn of_closed_form(
         for (name, size) in SIZES {
             let best = (0..count).max_by(|a, b| size(&over[*a][k]).total_cmp(&size(&over[*b][k])));
             if let Some(best) = best {
-                let extremes = &mut Wanted::at(&mut wanted, grid[best]).extremes;
-                match extremes.iter_mut().find(|(own, _)| *own == pin) {
-                    Some((_, names)) => names.push(name),
-                    None => extremes.push((pin, vec![name])),
-                }
+                Wanted::at(&mut wanted, grid[best]).extremes.add(pin, name);
             }
         }
     }
@@ -185,7 +208,7 @@ fn of_closed_form(
 }
 
 /// Forces that the user gives, along and across throws.
-fn given(
+pub(crate) fn given(
     engine: &Engine,
     crankshaft: usize,
     speed: f64,
@@ -225,6 +248,6 @@ fn given(
         name.push_str(&format!(", crank angle {:.1} deg", angle.to_degrees()));
     }
     let turn = turn(engine, crankshaft, angle.unwrap_or(0.0));
-    let load = CrankLoad { pins, speed: own.ratio.value() * speed, turn };
+    let load = CrankLoad { pins, speed: own.ratio.value() * speed, turn, acceleration: 0.0 };
     Ok(NamedLoad { name, theta: angle, speed, forces: forces.to_vec(), load })
 }

@@ -1,14 +1,18 @@
 //! What is asked of the stress of a crankshaft, and why it may not be answered.
 
 use crate::bearing_films::BearingFilmsError;
+use crate::crosscheck::pair::CrossCheckError;
 use crate::pressure::error::GasError;
+use crate::simulation::SimulateRequest;
 use crate::stress::mesh::StressMesh;
 use lanchester_flex::FlexError;
 use lanchester_flex::crank_case::CrankSupport;
 use lanchester_flex::sparse::SolveEstimate;
 use lanchester_flex::statics::SolveOptions;
 use lanchester_mechanism::TorqueError;
+use lanchester_model::SimulationInput;
 use lanchester_report::PinForces;
+use lanchester_task::Tasks;
 
 /// A force that the user gives, along a throw and across it [N].
 pub type GivenForce = PinForces;
@@ -30,6 +34,34 @@ pub enum StressLoad {
     },
 }
 
+/// What computes the loads of gas and inertia.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub enum LoadSource {
+    /// The closed form, at constant speed.
+    #[default]
+    ClosedForm,
+    /// A run of the multibody simulation: the largest forces among its samples, or those at crank angles of its last period, each with the speed and the angular
+    /// acceleration of its instant.
+    Simulation(Box<SimulatedSource>),
+}
+
+/// A run that gives loads.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct SimulatedSource {
+    /// What the engine file says of it.
+    pub input: Option<SimulationInput>,
+    /// What is asked besides.
+    pub request: SimulateRequest,
+}
+
+impl LoadSource {
+    /// The run that an engine file describes.
+    pub fn of_run(tasks: &Tasks, request: SimulateRequest) -> LoadSource {
+        let input = tasks.simulation.as_deref().cloned();
+        LoadSource::Simulation(Box::new(SimulatedSource { input, request }))
+    }
+}
+
 /// A static case.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StaticRequest {
@@ -41,7 +73,9 @@ pub struct StaticRequest {
     pub support: CrankSupport,
     /// Its loads.
     pub load: StressLoad,
-    /// Speeds of crankshaft 1 [rad/s]; none: the lowest and the highest of the engine, for given forces standstill.
+    /// What computes them, but for given forces.
+    pub source: LoadSource,
+    /// Speeds of crankshaft 1 [rad/s]; none: the lowest and the highest of the engine, for given forces standstill, and of a simulated run the one that it starts with.
     pub speeds: Vec<f64>,
     /// Whether the gas of the file acts.
     pub gas: bool,
@@ -59,6 +93,7 @@ impl Default for StaticRequest {
             mesh: StressMesh::default(),
             support: CrankSupport::Journals,
             load: StressLoad::default(),
+            source: LoadSource::default(),
             speeds: Vec::new(),
             gas: true,
             submodel: None,
@@ -124,6 +159,19 @@ pub enum StressError {
     /// No loads from them.
     #[error(transparent)]
     Torque(#[from] TorqueError),
+    /// No run that could give loads.
+    #[error(transparent)]
+    Simulation(Box<CrossCheckError>),
+    /// A crank angle that the run does not pass.
+    #[error(
+        "the run turns by {turned:.3} revolutions and does not pass {angle:.1} deg in its last period\nhint: let it run for longer, or ask for another angle"
+    )]
+    NotReached {
+        /// The angle [deg].
+        angle: f64,
+        /// Revolutions of the run.
+        turned: f64,
+    },
     /// All corners are sharp.
     #[error(
         "no fillet of crankshaft {crankshaft} has a radius: the stress of a sharp corner is unbounded\nhint: give pin_fillet and journal_fillet in [crank.body]"

@@ -14,7 +14,7 @@ use lanchester_report::{CrankRule, MeshOrigin, ThrowMesh};
 use lanchester_strength::{FactorValues, FilletStresses, RuleMaterial, RuleThrow, rule_throws};
 
 /// Words of what lies outside every throw.
-const BEYOND: &str = "(beyond the end journals)";
+const BEYOND: &str = "(beyond the bay)";
 
 /// Fewest elements across a fillet that the rule's appendix accepts.
 const FEWEST: usize = 6;

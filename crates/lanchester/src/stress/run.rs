@@ -14,11 +14,10 @@ use lanchester_flex::crank_case::{BearingSurfaces, CrankLoad, CrankSupport, cran
 use lanchester_flex::crank_solve::solve_crank_watched;
 use lanchester_flex::modes::{ModeKind, modes_watched};
 use lanchester_flex::own_mesh::own_mesh;
-use lanchester_model::{CrankElement, CrankElementForm, Engine, Origin};
+use lanchester_model::{Engine, Origin};
 use lanchester_report::{
     CrankModes, CrankSheet, MODES_VERSION, STATIC_STRESS_VERSION, StaticStress, StressCase, StressMaterial,
 };
-use std::f64::consts::FRAC_PI_4;
 
 /// Static stress of a crankshaft; `watch` sees how far it is. `traces` holds the files that [`crate::trace_names`] names.
 ///
@@ -31,7 +30,7 @@ pub fn static_stress(
     watch: &dyn Fn(StressStage),
 ) -> Result<StaticStress, StressError> {
     check_crankshaft(engine, &request.mesh)?;
-    let (mut loads, gas) = named_loads(engine, traces, request)?;
+    let (mut loads, gas, of_loads) = named_loads(engine, traces, request)?;
     if let Some(name) = &request.name {
         loads.iter_mut().for_each(|load| load.name = format!("{name}: {}", load.name));
     }
@@ -66,14 +65,7 @@ pub fn static_stress(
         _ => "Loads on a pin act as a pressure p0 cos(a) over 180 deg and its whole width between the fillets; small displacements, linear elastic."
             .to_owned(),
     }];
-    notes.push(match request.load {
-        StressLoad::Given { .. } => {
-            "Forces as given; the centrifugal field of the crankshaft acts where a speed is given.".to_owned()
-        }
-        _ => "Forces of gas and of the inertia of pistons and rods from the closed form at constant speed, sought in steps of 1 deg; the \
-              crankshaft's own centrifugal field acts."
-            .to_owned(),
-    });
+    notes.extend(of_loads);
     if request.support == CrankSupport::Free && !matches!(request.load, StressLoad::Given { .. }) {
         notes.push(
             "Without supports the bearings carry nothing: the loads accelerate the crankshaft as a whole."
@@ -152,11 +144,7 @@ pub(crate) fn sheet(
         engine: engine.name.clone(),
         crankshaft: mesh.crankshaft + 1,
         fillet_mass: elastic.density * crank.corners.iter().map(|corner| corner.volume()).sum::<f64>(),
-        // Nose and flange are in a mesh from elsewhere, as in its body.
-        exact_mass: match mesh.own {
-            None => crank.body_mass - end_mass(engine, mesh.crankshaft),
-            Some(_) => crank.body_mass,
-        },
+        exact_mass: crank.body_mass,
         material: StressMaterial {
             elastic,
             origin: modulus.map_or(Origin::Assumed, |modulus| modulus.origin),
@@ -167,16 +155,4 @@ pub(crate) fn sheet(
         origins: mesh.origins,
         crank,
     })
-}
-
-/// Mass of nose and flange, which are not meshed [kg].
-fn end_mass(engine: &Engine, crankshaft: usize) -> f64 {
-    let of = |element: &CrankElement| match &element.form {
-        CrankElementForm::Nose { bar, .. } | CrankElementForm::Flange { bar, .. } => {
-            let area = FRAC_PI_4 * (bar.diameter.powi(2) - bar.bore.powi(2));
-            element.density * area * element.length()
-        }
-        _ => 0.0,
-    };
-    engine.crank_elements(crankshaft).unwrap_or_default().iter().map(of).sum()
 }

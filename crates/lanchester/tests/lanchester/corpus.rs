@@ -43,9 +43,18 @@ fn kept_corpus_of_the_optima() {
     replay("balance", checks::balance);
 }
 
-/// The same check for inputs that nobody chose: a linear congruence, so that every run sees the same ones.
 #[test]
-fn changed_graphs() {
+fn kept_corpus_of_the_runs_in_time() {
+    replay("simulate", checks::simulate);
+}
+
+#[test]
+fn what_is_changed_is_accepted_as_it_is() {
+    checks::unchanged();
+}
+
+/// A check for inputs that nobody chose: a linear congruence, so that every run sees the same ones.
+fn changed(target: &str, check: fn(&[u8])) {
     let mut state = 20_u64;
     let mut next = move || {
         state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
@@ -53,8 +62,18 @@ fn changed_graphs() {
     };
     for _ in 0..300 {
         let data: Vec<u8> = (0..1 + 3 * (1 + usize::from(next()) % 6)).map(|_| next()).collect();
-        if std::panic::catch_unwind(|| checks::graph(&data)).is_err() {
-            panic!("the input {data:?} breaks `graph`");
+        if std::panic::catch_unwind(|| check(&data)).is_err() {
+            panic!("the input {data:?} breaks `{target}`");
         }
     }
+}
+
+#[test]
+fn changed_graphs() {
+    changed("graph", checks::graph);
+}
+
+#[test]
+fn changed_runs_in_time() {
+    changed("simulate", checks::simulate);
 }

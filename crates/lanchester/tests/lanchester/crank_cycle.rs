@@ -1,7 +1,7 @@
 //! The flexible crankshaft over the cycle: limits that other computations know.
 
 use lanchester::flex::crank_mesh::CrankMeshOptions;
-use lanchester::flex::train::{BasisOptions, CycleOutcome, FreeSpeed};
+use lanchester::flex::train::{BasisKind, BasisOptions, CycleOutcome, FreeSpeed};
 use lanchester::mechanism::{
     BearingPart, BearingRequest, OuterTorque, RippleOutcome, bearing_loads, speed_ripple,
 };
@@ -303,4 +303,27 @@ fn the_last_rung_agrees_where_it_must() {
     // Not asked for, it does not run.
     let usual = crosscheck(&bare, &[], &CrossCheckRequest::default()).unwrap();
     assert_eq!(usual.conditions.len(), 4);
+}
+
+/// Free modes with shapes balanced by inertia, and Craig and Bampton's modes with shapes balanced at the bearings, are two reductions of one crankshaft: with enough
+/// modes both have the same stress in every fillet over the cycle, and the same loads.
+#[test]
+fn two_reductions_of_one_crankshaft_have_the_same_stress() {
+    let of = |kind: BasisKind| {
+        let plain = request(&[CycleLaw::Rigid]);
+        let basis = BasisOptions { kind, modes: 24, ..plain.basis };
+        let asked = CycleRequest { basis, rigid_crank: false, gas: false, ..plain };
+        crank_cycle(&engine(), &[], &asked, &|_| true).unwrap()
+    };
+    let (free, held) = (of(BasisKind::FreeInterface), of(BasisKind::CraigBampton));
+    let [one, two] = [&free, &held].map(|found| run(found, CycleLaw::Rigid, CrankKind::Flexible));
+    assert_eq!(one.fillets.len(), 4);
+    for (a, b) in one.fillets.iter().zip(&two.fillets) {
+        let off = b.von_mises / a.von_mises - 1.0;
+        assert!(off.abs() < 2e-3, "{}: {} and {} Pa, {off}", a.name, a.von_mises, b.von_mises);
+    }
+    for (a, b) in one.bearings.iter().zip(&two.bearings) {
+        let off = b.largest_load / a.largest_load - 1.0;
+        assert!(off.abs() < 2e-3, "{}: {off}", a.name());
+    }
 }

@@ -20,6 +20,7 @@ mod durability;
 mod fatigue;
 mod gallery;
 mod graph_report;
+mod loads_of_runs;
 mod main_loads_with_gas;
 mod mounts_with_gas;
 mod optima;

@@ -6,7 +6,7 @@ use lanchester::file::{EngineFile, read};
 use lanchester::model::RunLength;
 use lanchester::multibody::RunOutcome;
 use lanchester::report::SimulationResult;
-use lanchester::{SimulateRequest, TraceFile, simulate};
+use lanchester::{CrossCheckRequest, SimulateRequest, TraceFile, crosscheck, simulate};
 use std::f64::consts::{PI, TAU};
 use std::fs;
 use std::path::Path;
@@ -196,5 +196,25 @@ fn a_block_on_mounts_with_a_loss_factor_rests_where_their_static_stiffness_holds
     for loss in ["0.02", "0.08", "0.12", "0.15"] {
         let found = rest(&format!("loss_factor = {loss}"));
         assert!((found / wanted - 1.0).abs() < 1e-9, "loss factor {loss}: {found} {wanted}");
+    }
+}
+
+/// Runs, films and comparisons of rungs are the same bit by bit however many threads there are.
+#[test]
+fn answers_have_the_same_bits_for_any_number_of_threads() {
+    let text = include_str!("../../../../examples/three-cylinder.toml");
+    let file = file_of(text);
+    let with = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(|| {
+            let run = serde_json::to_string(&run_of(&file)).unwrap();
+            let check = crosscheck(&file.engine, &[], &CrossCheckRequest::default()).unwrap();
+            (run, serde_json::to_string(&check).unwrap())
+        })
+    };
+    let alone = with(1);
+    assert!(alone.0.len() > 100_000 && alone.1.contains("bond graph"), "something was computed");
+    for threads in [2, 3] {
+        assert!(with(threads) == alone, "{threads} threads");
     }
 }

@@ -23,7 +23,7 @@ pub struct CrankSheet {
     pub origins: MeshOrigins,
     /// The mesh: its quality, its corners, what is not meshed; the nodes themselves are not serialised.
     pub crank: CrankMesh,
-    /// Mass of the exact body without fillets, nose and flange; of a mesh from a file that of the body with nose and flange, 0 where the engine file has no body [kg].
+    /// Mass of the exact body without fillets, of what is meshed; of a mesh from a file that of the body with nose and flange, 0 where the engine file has no body [kg].
     pub exact_mass: f64,
     /// Volume that fillets add, by Pappus's rule, times the density [kg].
     pub fillet_mass: f64,

@@ -196,7 +196,7 @@ const STANDARD_GRAVITY: f64 = 9.806_65;
 /// 0 degrees Celsius [K].
 const ICE_POINT: f64 = 273.15;
 
-pub(super) static UNITS: [Unit; 119] = {
+pub(super) static UNITS: [Unit; 120] = {
     use Dimension::*;
     [
         unit(Length, "mm", -3, 1.0),
@@ -221,6 +221,7 @@ pub(super) static UNITS: [Unit; 119] = {
         unit(Unbalance, "kg mm", -3, 1.0),
         unit(Unbalance, "g mm", -6, 1.0),
         unit(Unbalance, "g cm", -5, 1.0),
+        unit(Unbalance, "g m", -3, 1.0),
         unit(Unbalance, "g in", -3, INCH),
         unit(Unbalance, "oz in", 0, POUND / 16.0 * INCH),
         unit(Unbalance, "lb in", 0, POUND * INCH),

@@ -10,10 +10,12 @@
 //! | `pressure` | absolute, in cylinder 1 |
 //! | `gas force`, `total force` | of the gas on all pistons along x, away from the crank; with the inertia force |
 //! | `radial rod force`, `tangential rod force` | on the crankpin of cylinder 1, towards the crank axis and in the sense of rotation |
+//! | `simulated ...` | of the motion or a rod force: of the crank train as rigid bodies, simulated at this speed in a block that stands |
 
 use crate::case::Run;
 use crate::gas_run::GasRun;
 use crate::quantity::{Selection, thesis_moment};
+use crate::rigid_run::RigidQuantity;
 use lanchester::model::Cylinder;
 use lanchester::results::{LoadSet, OrderLoads, Trace};
 use num_complex::Complex64;
@@ -49,6 +51,7 @@ pub(crate) enum CurveKey {
     Pressure,
     GasForce { with_inertia: bool },
     RodForce { radial: bool },
+    Simulated(RigidQuantity),
 }
 
 /// Of force and couple.
@@ -108,6 +111,13 @@ impl CurveKey {
             "total force" => CurveKey::GasForce { with_inertia: true },
             "radial rod force" => CurveKey::RodForce { radial: true },
             "tangential rod force" => CurveKey::RodForce { radial: false },
+            "simulated position" => CurveKey::Simulated(RigidQuantity::Travel(0)),
+            "simulated velocity" => CurveKey::Simulated(RigidQuantity::Travel(1)),
+            "simulated acceleration" => CurveKey::Simulated(RigidQuantity::Travel(2)),
+            "simulated radial rod force" => CurveKey::Simulated(RigidQuantity::RodForce { radial: true }),
+            "simulated tangential rod force" => {
+                CurveKey::Simulated(RigidQuantity::RodForce { radial: false })
+            }
             _ => return CurveKey::load(text),
         })
     }
@@ -151,6 +161,10 @@ impl CurveKey {
                     },
                 ))
             }
+            CurveKey::Simulated(quantity) => {
+                let (revolutions, values) = quantity.of(run)?;
+                Ok(Samples { revolutions, values })
+            }
             CurveKey::Torque(_)
             | CurveKey::Pressure
             | CurveKey::GasForce { .. }
@@ -187,7 +201,9 @@ impl CurveKey {
                 let inward = || pin.radial.iter().map(|force| -force).collect();
                 Samples::of(gas.bearings.period, if *radial { inward() } else { pin.tangential.clone() })
             }
-            CurveKey::Load { .. } | CurveKey::Motion(_) => return Err("it needs no gas".to_string()),
+            CurveKey::Load { .. } | CurveKey::Motion(_) | CurveKey::Simulated(_) => {
+                return Err("it needs no gas".to_string());
+            }
         })
     }
 }
@@ -276,10 +292,19 @@ mod tests {
 
     #[test]
     fn names_are_read() {
-        for name in ["Fx", "My order 2", "Fx order 1 of rotating + counterweights", "Mres", "gas torque"] {
+        for name in [
+            "Fx",
+            "simulated velocity",
+            "My order 2",
+            "Fx order 1 of rotating + counterweights",
+            "Mres",
+            "gas torque",
+        ] {
             assert!(CurveKey::parse(name).is_ok(), "{name}");
         }
-        for name in ["Fz", "Mres order 1", "Mz of shafts", "Fx order one", "Fx of lid", "power"] {
+        for name in
+            ["Fz", "simulated Fx", "Mres order 1", "Mz of shafts", "Fx order one", "Fx of lid", "power"]
+        {
             assert!(CurveKey::parse(name).is_err(), "{name}");
         }
     }

@@ -77,8 +77,8 @@ pub(crate) fn run(source: &Source, entry: &RunEntry) -> Result<Figure, String> {
 pub(crate) fn drawn(source: &Source, entry: &GraphEntry) -> Result<String, String> {
     let graph = match (&entry.engine, &entry.graph) {
         (Some(engine), None) => {
-            let request = BondGraphRequest { block: Some(EngineBlock::Fixed), ..BondGraphRequest::default() };
-            Graph::new(&described(&engine_file(source, engine)?, &request)?).map_err(in_words)?
+            let described = described(&engine_file(source, engine)?, &BondGraphRequest::default())?;
+            Graph::new(&described).map_err(in_words)?
         }
         (None, Some(name)) => {
             let graph = BOND_GRAPHS.iter().find(|(own, _)| own == name);

@@ -237,13 +237,7 @@ static TORQUE_ORDER: Table = Table {
     header: "[[simulation.torque]]",
     doc: "One order of a torque over the crank angle: `sin sin(order theta) + cos cos(order theta)`; or a whole curve from a file. Negative torque brakes.",
     keys: &[
-        key(
-            "order",
-            Kind::Number(NotNegative),
-            Optional,
-            "The order; 0 is the mean. Needed without `file`.",
-            "0.5",
-        ),
+        key("order", Kind::Order, Optional, "The order; 0 is the mean. Needed without `file`.", "0.5"),
         quantity("sin", Torque, Any, "Factor of the sine; default 0.", "\"150 N m\""),
         quantity("cos", Torque, Any, "Factor of the cosine; default 0.", "\"60 N m\""),
         key(
