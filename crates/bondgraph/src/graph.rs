@@ -57,7 +57,8 @@ pub(crate) struct Parameter {
 }
 
 /// The kinds of elements.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, serde::Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, serde::Serialize, schemars::JsonSchema)]
+#[schemars(rename = "ElementKind")]
 pub enum Kind {
     /// Source of effort.
     Se,

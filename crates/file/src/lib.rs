@@ -60,7 +60,7 @@ pub use schema::{
 };
 pub use template::{Template, nearest_template, template, templates};
 pub use typical::{CompleteError, Completed, EngineKind, LeftOut, TypicalSection, complete};
-pub use values::{si_value, values_text};
+pub use values::{si_sheet, si_value, values_text};
 pub use write_back::{
     Edit, EditError, FileEntry, WriteBackError, difference, edit, file_entries, write_back,
 };

@@ -2,6 +2,7 @@
 
 use crate::expanded::quoted;
 use crate::schema::{FILE, Kind, Table};
+use crate::workshop::SHEET;
 use lanchester_units::{Dimension, exact_text};
 use serde_json::{Map, Value};
 use std::fmt::Write;
@@ -89,6 +90,16 @@ pub fn si_value(path: &str, value: Value) -> Value {
         }
     }
     with_units(kind, value)
+}
+
+/// The same for the keys of a workshop sheet.
+///
+/// ```
+/// let values = lanchester_file::si_sheet(serde_json::json!({ "rotor": { "mass": 12.0 } }));
+/// assert_eq!(values, serde_json::json!({ "rotor": { "mass": "12 kg" } }));
+/// ```
+pub fn si_sheet(values: Value) -> Value {
+    with_units(Kind::Table(&SHEET), values)
 }
 
 fn table_of(kind: Kind) -> Option<&'static Table> {

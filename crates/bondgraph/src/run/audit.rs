@@ -13,7 +13,7 @@ const SHARE: f64 = 1e-13;
 const HALVINGS: u32 = 40;
 
 /// Where the energy went.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Audit {
     /// Energy through each bond, along its half arrow [J].
     pub bonds: Vec<BondEnergy>,
@@ -30,7 +30,7 @@ pub struct Audit {
 }
 
 /// Energy through one bond.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct BondEnergy {
     /// The bond.
     pub bond: String,
@@ -39,7 +39,7 @@ pub struct BondEnergy {
 }
 
 /// Energy of one element.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct ElementEnergy {
     /// The element.
     pub element: String,
@@ -56,7 +56,7 @@ pub struct ElementEnergy {
 }
 
 /// Error of one junction or two-port.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Residual {
     /// The element.
     pub element: String,

@@ -3,7 +3,8 @@
 use serde::Serialize;
 
 /// The periodic motion, or what was found instead.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+#[schemars(rename = "GraphPeriodicMotion")]
 pub struct PeriodicMotion {
     /// How Newton ended.
     pub outcome: PeriodicEnd,
@@ -20,8 +21,9 @@ pub struct PeriodicMotion {
 }
 
 /// How the search for a periodic motion ended.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
+#[schemars(rename = "GraphPeriodicEnd")]
 pub enum PeriodicEnd {
     /// Found: small departures from it die out.
     Stable,

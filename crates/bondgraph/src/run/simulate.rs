@@ -88,8 +88,9 @@ impl PartialEq for Cancel {
 }
 
 /// A method of integration.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "snake_case")]
+#[schemars(rename = "GraphMethod")]
 pub enum Method {
     /// DOP853, order 8.
     Explicit,
@@ -98,7 +99,8 @@ pub enum Method {
 }
 
 /// A simulation: what was computed, what happened, what it cost.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+#[schemars(rename = "GraphRun")]
 pub struct Simulation {
     /// Version of this structure.
     pub version: u32,
@@ -133,7 +135,8 @@ pub struct Simulation {
 }
 
 /// A condition that switched.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+#[schemars(rename = "GraphEvent")]
 pub struct Event {
     /// When [s].
     pub time: f64,

@@ -33,6 +33,11 @@ pub struct ReducedCrank {
 }
 
 impl ReducedCrank {
+    /// All tables.
+    pub fn tables(&self) -> Vec<Table> {
+        vec![self.points_table(), self.frequencies_table()]
+    }
+
     /// Reference points.
     pub(crate) fn points_table(&self) -> Table {
         let points = &self.model.points;
@@ -119,7 +124,7 @@ pub fn reduced_text(found: &ReducedCrank) -> String {
     for words in found.words() {
         push_wrapped(&mut out, "", &words);
     }
-    for table in [found.points_table(), found.frequencies_table()] {
+    for table in found.tables() {
         out.push('\n');
         out.push_str(&table.noted_text());
     }

@@ -215,7 +215,8 @@ impl CrankCycle {
         ))
     }
 
-    fn tables(&self) -> Vec<Table> {
+    /// All tables.
+    pub fn tables(&self) -> Vec<Table> {
         let mut tables = vec![self.runs_table()];
         tables.extend(self.fillets_table());
         tables.extend(self.fatigue_table());
