@@ -25,7 +25,7 @@ from __future__ import annotations
 
 from typing import Any, Literal
 
-from ._record import FloatArray, Record, Records, Result
+from ._record import FloatArray, Matrices, Record, Records, Result, Variant, an_array, every, one, optionally, record, row
 
 '''
 
@@ -35,6 +35,17 @@ BUILTIN = {"bool", "dict", "float", "int", "list", "str"}
 # What every result has beside its fields.
 TAKEN = {"to_dict", "to_json", "to_text", "to_dataframe", "pick", "tables", "table", "figures", "plot", "adopt"}
 
+# Names of their own for what two crates call alike: the schemas number them.
+NAMES = {
+    "Audit2": "GraphAudit",
+    "CrankUnbalance2": "CrankWithBobweights",
+    "Outcome2": "IntegrationOutcome",
+    "Quantity2": "VariedQuantity",
+}
+
+# Square matrices that are given row by row.
+SQUARE = {"ReducedModel": {"stiffness", "mass", "gyroscopic", "centrifugal"}}
+
 
 class Types:
     """The definitions and what Python makes of them."""
@@ -42,6 +53,31 @@ class Types:
     def __init__(self, definitions: dict[str, Any], results: set[str]) -> None:
         self.definitions = definitions
         self.results = results
+        # What is in a variant and has no name of its own.
+        for name in sorted(definitions):
+            for variant, content, _ in self.variants(definitions[name]) or []:
+                if content is not None and "properties" in content:
+                    below = python_name(name) + camel(variant)
+                    if below in definitions:
+                        sys.exit(f"{name} has the variant {variant}, and there is a structure {below}: give one of them another name")
+                    [own] = [own for own in definitions[name]["oneOf"] if variant in own.get("properties", {})]
+                    definitions[below] = {"description": own.get("description", f"What is in `{variant}`."), **content}
+                    own["properties"][variant] = {"$ref": f"#/$defs/{below}"}
+
+    def variants(self, schema: Any) -> list[tuple[str, dict[str, Any] | None, str]] | None:
+        """The variants of a union that names each by a word or by a key of its own: word, what is in it, and its meaning; None where it is no such union."""
+        found: list[tuple[str, dict[str, Any] | None, str]] = []
+        for own in schema.get("oneOf", []) if isinstance(schema, dict) else []:
+            doc = own.get("description", "")
+            properties = own.get("properties", {})
+            if "const" in own or "enum" in own:
+                found += [(str(word), None, doc) for word in words_of(own)]
+            elif len(properties) == 1 and own.get("required") == list(properties) and own.get("additionalProperties") is False:
+                [(word, content)] = properties.items()
+                found.append((word, content, doc))
+            else:
+                return None
+        return found if any(content is not None for _, content, _ in found) else None
 
     def merged(self, schema: dict[str, Any]) -> dict[str, Any] | None:
         """The properties of a structure: those of all variants of a tagged union together; None where it is no structure."""
@@ -92,7 +128,7 @@ class Types:
             return how, optional(of_own)
         if "$ref" in schema and set(schema) <= {"$ref", "description", "default"}:
             name = name_of(schema)
-            if self.merged(self.definitions[name]) is not None:
+            if self.variants(self.definitions[name]) is not None or self.merged(self.definitions[name]) is not None:
                 return "of", python_name(name)
             return self.kind(self.definitions[name])
         if "const" in schema:
@@ -125,7 +161,7 @@ class Types:
                 return "array", "FloatArray"
             if set(kinds) <= {"FloatArray"}:
                 return "array", "FloatArray"
-            return "list", "list[Any]"
+            return "as", f"tuple[{', '.join(kinds)}]"
         how, kind = self.kind(schema.get("items"))
         if kind == "float":
             return "array", "FloatArray"
@@ -134,9 +170,29 @@ class Types:
             return ("array", "FloatArray") if is_fixed(schema["items"]) else ("rows", "list[FloatArray]")
         if how == "of" and not kind.endswith("| None"):
             return "all", f"Records[{kind}]"
-        if kind.startswith("Records[") or how == "of":
-            kind = "dict[str, Any]" if how == "of" else "list[dict[str, Any]]"
-        return "list", f"list[{kind}]"
+        plain = how == "get" or (how == "list" and "FloatArray" not in kind)
+        return "list" if plain else "as", f"list[{kind}]"
+
+    def reader(self, schema: dict[str, Any]) -> str:
+        """How a value of this schema is read, written in functions of `_record`."""
+        how, kind = self.kind(schema)
+        if how in ("get", "list"):
+            return "one"
+        if kind.endswith(" | None"):
+            rest = [own for own in schema.get("anyOf", []) if own != {"type": "null"}]
+            own = {**schema, "type": [kind for kind in schema["type"] if kind != "null"][0]} if not rest else rest[0]
+            return f"optionally({self.reader(own)})"
+        if how == "of":
+            return kind
+        if how == "array":
+            return "an_array"
+        if "$ref" in schema:
+            return self.reader(self.definitions[name_of(schema)])
+        if how == "all":
+            return f"record({self.reader(schema['items'])})"
+        if "prefixItems" in schema:
+            return f"row({', '.join(self.reader(own) for own in schema['prefixItems'])})"
+        return f"every({self.reader(schema['items'])})"
 
 
 def is_fixed(schema: Any) -> bool:
@@ -171,7 +227,17 @@ def name_of(schema: dict[str, Any]) -> str:
 
 
 def python_name(name: str) -> str:
-    return re.sub(r"\W", "", name)
+    return NAMES.get(name, re.sub(r"\W", "", name))
+
+
+def camel(word: str) -> str:
+    return "".join(part[:1].upper() + part[1:] for part in re.split(r"[-_]", word))
+
+
+def field_name(raw: str) -> str:
+    """The name of an attribute: what Python or the types have a meaning for gets a `_` behind it."""
+    own = re.sub(r"(?<=[a-z])(?=[A-Z])", "_", raw).replace("-", "_").lower()
+    return own + "_" if keyword.iskeyword(own) or own in BUILTIN else own
 
 
 def words(text: str | None) -> str:
@@ -194,35 +260,87 @@ def doc(text: str, indent: str) -> str:
 def write(schemas: dict[str, Any]) -> str:
     definitions = json.loads(schemas["definitions"])
     results = set(schemas["questions"].values())
+    unknown = set(NAMES) - set(definitions)
+    if unknown:
+        sys.exit(f"there is no structure {unknown.pop()}: take it out of NAMES, or name what it has become")
     types = Types(definitions, results)
-    structures = {name: properties for name in sorted(definitions) if (properties := types.merged(definitions[name])) is not None}
-    out = HEAD
-    out += "__all__ = [\n" + "".join(f"    {python_name(name)!r},\n" for name in structures).replace("'", '"') + "]\n"
-    for name, properties in structures.items():
-        base = "Result" if name in results else "Record"
-        out += f"\n\nclass {python_name(name)}({base}):\n" + doc(definitions[name].get("description", ""), "    ")
-        fields = {own: own.replace("-", "_") + ("_" if keyword.iskeyword(own) or own in BUILTIN else "") for own in properties}
-        clash = TAKEN.intersection(fields.values()) if base == "Result" else set()
-        if clash:
-            sys.exit(f"{name} has a field {clash.pop()}, which every result has as a method: rename one of them")
-        out += "\n    __slots__ = ()\n"
-        out += "    _FIELDS = (" + "".join(f'"{own}", ' for own in fields.values()).rstrip(" ") + ")\n"
-        for raw, own in fields.items():
-            schema, required = properties[raw]
-            how, kind = types.kind(schema)
-            if not required and how in ("get", "of"):
-                kind = optional(kind)
-            if how == "of":
-                body = f'self._of("{raw}", {kind.removesuffix(" | None")})'
-            elif how == "all":
-                body = f'self._all("{raw}", {kind[8:].split("]")[0]})'
-            else:
-                # What may be left out is None, not an empty list.
-                own_how = "get" if how == "list" and kind.endswith("| None") else how
-                body = f'self._{own_how}("{raw}")'
-            out += f"\n    @property\n    def {own}(self) -> {kind}:\n" + doc(field_doc(schema, definitions), "        ")
-            out += f"        return {body}  # type: ignore[no-any-return]\n" if how != "all" else f"        return {body}\n"
+    out = ""
+    names: list[str] = []
+    for name in sorted(definitions, key=python_name):
+        schema = definitions[name]
+        variants = types.variants(schema)
+        if variants is not None:
+            out += one_of(types, python_name(name), schema, variants)
+        elif (properties := types.merged(schema)) is not None:
+            out += structure(types, name, properties)
+        else:
+            continue
+        names.append(python_name(name))
+    twice = {name for name in names if names.count(name) > 1}
+    if twice:
+        sys.exit(f"two structures are called {twice.pop()}: give one of them another name in NAMES")
+    return HEAD + "__all__ = [\n" + "".join(f'    "{name}",\n' for name in names) + "]\n" + out
+
+
+def one_of(types: Types, name: str, schema: dict[str, Any], variants: list[tuple[str, dict[str, Any] | None, str]]) -> str:
+    """A class for a union: which variant it is, and what is in each."""
+    filled = [(word, content, doc) for word, content, doc in variants if content is not None]
+    fields = [field_name(word) for word, _, _ in filled]
+    clash = ({"kind", *TAKEN} & set(fields)) or {own for own in fields if fields.count(own) > 1}
+    if clash:
+        sys.exit(f"{name} has a variant {clash.pop()}, which is the name of something else: rename it")
+    out = f"\n\nclass {name}(Variant):\n" + doc(schema.get("description", ""), "    ")
+    out += "\n    __slots__ = ()\n"
+    out += "    _FIELDS = (" + "".join(f'"{own}", ' for own in ["kind", *fields]).rstrip(" ") + ")\n"
+    words = ", ".join(repr(word) for word, _, _ in variants)
+    empty = "".join(f"\n`{word}`: {meaning}" for word, content, meaning in variants if content is None and meaning)
+    out += f"\n    @property\n    def kind(self) -> Literal[{words}]:\n" + doc("Which of the variants it is." + empty, "        ")
+    out += "        return self._kind()  # type: ignore[no-any-return]\n"
+    for (word, content, meaning), own in zip(filled, fields, strict=True):
+        out += field(types, name, word, own, {"description": meaning, **(content or {})}, required=False)
     return out
+
+
+def structure(types: Types, name: str, properties: dict[str, Any]) -> str:
+    """A class for a structure."""
+    base = "Result" if name in types.results else "Matrices" if name in SQUARE else "Record"
+    out = f"\n\nclass {python_name(name)}({base}):\n" + doc(types.definitions[name].get("description", ""), "    ")
+    fields = {raw: field_name(raw) for raw in properties}
+    clash = TAKEN.intersection(fields.values()) if base == "Result" else set()
+    if clash:
+        sys.exit(f"{name} has a field {clash.pop()}, which every result has as a method: rename one of them")
+    out += "\n    __slots__ = ()\n"
+    out += "    _FIELDS = (" + "".join(f'"{own}", ' for own in fields.values()).rstrip(" ") + ")\n"
+    if name in SQUARE:
+        out += f"    _SQUARE = {tuple(sorted(SQUARE[name]))!r}\n".replace("'", '"')
+    for raw, own in fields.items():
+        schema, required = properties[raw]
+        out += field(types, name, raw, own, schema, required)
+    return out
+
+
+def field(types: Types, name: str, raw: str, own: str, schema: Any, required: bool) -> str:
+    """A property for a field."""
+    how, kind = types.kind(schema)
+    if not required and how in ("get", "of"):
+        kind = optional(kind)
+    if how == "of":
+        body = f'self._of("{raw}", {kind.removesuffix(" | None")})'
+    elif how == "all":
+        body = f'self._all("{raw}", {kind[8:].split("]")[0]})'
+    elif how == "as":
+        reader = types.reader(schema)
+        if not required and not kind.startswith("list["):
+            kind = optional(kind)
+        body = f'self._as("{raw}", {reader}, {"[]" if kind.startswith("list[") and not kind.endswith("| None") else "None"})'
+    elif raw in SQUARE.get(name, ()):
+        body = f'self._square("{raw}")'
+    else:
+        # What may be left out is None, not an empty list.
+        own_how = "get" if how == "list" and kind.endswith("| None") else how
+        body = f'self._{own_how}("{raw}")'
+    out = f"\n    @property\n    def {own}(self) -> {kind}:\n" + doc(field_doc(schema, types.definitions), "        ")
+    return out + (f"        return {body}  # type: ignore[no-any-return]\n" if how != "all" else f"        return {body}\n")
 
 
 def field_doc(schema: Any, definitions: dict[str, Any]) -> str:

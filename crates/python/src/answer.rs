@@ -83,6 +83,22 @@ struct Typed<T> {
     shown: Shown<T>,
 }
 
+/// A result that is about no engine.
+struct Alone<T> {
+    value: T,
+    shown: ShownAlone<T>,
+}
+
+/// How a result that is about no engine is shown.
+pub struct ShownAlone<T> {
+    /// The text of the command line.
+    pub text: fn(&T) -> String,
+    /// Its tables.
+    pub tables: fn(&T) -> Vec<Table>,
+    /// Its pictures, drawn when it was computed.
+    pub figures: Vec<Figure>,
+}
+
 #[derive(Clone, Copy)]
 struct AsPython<'py>(Python<'py>);
 
@@ -132,9 +148,52 @@ fn number_of(value: &serde_json::Value) -> Result<f64, String> {
     }
 }
 
+fn json_of<T: Serialize>(value: &T) -> Result<String, String> {
+    serde_json::to_string_pretty(value).map(|text| text + "\n").map_err(|error| error.to_string())
+}
+
+fn svg_of(own: Figure) -> [String; 3] {
+    let svg = own.svg();
+    [own.id, own.title, svg]
+}
+
+impl<T: Serialize + Send + Sync> Told for Alone<T> {
+    fn json(&self) -> Result<String, String> {
+        json_of(&self.value)
+    }
+
+    fn convert(&self, py: Python<'_>, path: &[Step]) -> Result<Converted, NoValue> {
+        Select { path, leaf: AsPython(py) }.of(&self.value)
+    }
+
+    fn number(&self, path: &[Step]) -> Result<f64, NoValue> {
+        Select { path, leaf: AsNumber }.of(&self.value)
+    }
+
+    fn text(&self) -> String {
+        (self.shown.text)(&self.value)
+    }
+
+    fn tables(&self) -> Vec<Table> {
+        (self.shown.tables)(&self.value)
+    }
+
+    fn figures(&self) -> Vec<[String; 3]> {
+        self.shown.figures.iter().cloned().map(svg_of).collect()
+    }
+
+    fn choices(&self) -> Option<usize> {
+        None
+    }
+
+    fn adopted(&self, _: usize) -> Result<Option<Arc<Prepared>>, Failure> {
+        Ok(None)
+    }
+}
+
 impl<T: Serialize + Send + Sync> Told for Typed<T> {
     fn json(&self) -> Result<String, String> {
-        serde_json::to_string_pretty(&self.value).map(|text| text + "\n").map_err(|error| error.to_string())
+        json_of(&self.value)
     }
 
     fn convert(&self, py: Python<'_>, path: &[Step]) -> Result<Converted, NoValue> {
@@ -156,11 +215,7 @@ impl<T: Serialize + Send + Sync> Told for Typed<T> {
     fn figures(&self) -> Vec<[String; 3]> {
         let drawing = (self.shown.drawing)(&self.value);
         let figures = (self.shown.figures)(&self.value, self.engine.engine());
-        let figure = |own: Figure| {
-            let svg = own.svg();
-            [own.id, own.title, svg]
-        };
-        drawing.into_iter().chain(figures.into_iter().map(figure)).collect()
+        drawing.into_iter().chain(figures.into_iter().map(svg_of)).collect()
     }
 
     fn choices(&self) -> Option<usize> {
@@ -183,6 +238,11 @@ impl Data {
         shown: Shown<T>,
     ) -> Data {
         Data(Box::new(Typed { value, engine: engine.clone(), shown }))
+    }
+
+    /// A result that is about no engine.
+    pub fn alone<T: Serialize + Send + Sync + 'static>(value: T, shown: ShownAlone<T>) -> Data {
+        Data(Box::new(Alone { value, shown }))
     }
 
     /// The number at the end of a path.

@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use crate::options::{kind, number};
-use lanchester::file::{Edit, edit, file_entries, si_value, values_text};
+use lanchester::file::{Edit, edit, file_entries, si_sheet, si_value, values_text};
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyBytes, PyDict, PyInt, PyString};
 use serde_json::{Map, Value};
@@ -16,6 +16,15 @@ const DEEPEST: usize = 16;
 /// Where a value is none that a file can hold.
 pub fn file_text(values: &Bound<'_, PyDict>) -> Result<String, Failure> {
     let values = si_value("", Value::Object(object(values, "", 0)?));
+    Ok(values.as_object().map(values_text).unwrap_or_default())
+}
+
+/// The text of the workshop sheet that holds these values.
+///
+/// # Errors
+/// Where a value is none that a sheet can hold.
+pub fn sheet_text(values: &Bound<'_, PyDict>) -> Result<String, Failure> {
+    let values = si_sheet(Value::Object(object(values, "", 0)?));
     Ok(values.as_object().map(values_text).unwrap_or_default())
 }
 

@@ -97,17 +97,43 @@ pub fn caught<T>(compute: impl FnOnce() -> Result<T, Failure>) -> Result<T, Fail
     })
 }
 
+/// Flags that no computation looks at any more.
+static FREE_FLAGS: Mutex<Vec<&'static AtomicBool>> = Mutex::new(Vec::new());
+
+/// A flag that lives as long as the process, back among the free ones when nobody looks at it.
+#[derive(Debug)]
+struct Flag(&'static AtomicBool);
+
+impl Default for Flag {
+    fn default() -> Flag {
+        let free = FREE_FLAGS.lock().unwrap_or_else(PoisonError::into_inner).pop();
+        Flag(free.unwrap_or_else(|| Box::leak(Box::default())))
+    }
+}
+
+impl Drop for Flag {
+    fn drop(&mut self) {
+        self.0.store(false, Ordering::Relaxed);
+        FREE_FLAGS.lock().unwrap_or_else(PoisonError::into_inner).push(self.0);
+    }
+}
+
 /// Whether somebody still waits for a computation.
 #[derive(Debug, Clone, Default)]
-pub struct Watch(Arc<AtomicBool>);
+pub struct Watch(Arc<OnceLock<Flag>>);
 
 impl Watch {
     /// Whether the computation goes on.
     pub fn goes_on(&self) -> bool {
-        !self.0.load(Ordering::Relaxed)
+        !self.0.get().is_some_and(|flag| flag.0.load(Ordering::Relaxed))
+    }
+
+    /// What is set once the computation is to end, for what looks at it alone. It is nobody's any more once all watches of the computation are gone.
+    pub fn flag(&self) -> &'static AtomicBool {
+        self.0.get_or_init(Flag::default).0
     }
 
     fn stop(&self) {
-        self.0.store(true, Ordering::Relaxed);
+        self.flag().store(true, Ordering::Relaxed);
     }
 }

@@ -17,6 +17,7 @@ mod from_python;
 mod guard;
 mod map;
 mod native_engine;
+mod native_sheet;
 mod native_study;
 mod options;
 mod prepared;
@@ -49,6 +50,8 @@ mod _native {
     use super::map::map;
     #[pymodule_export]
     use super::native_engine::NativeEngine;
+    #[pymodule_export]
+    use super::native_sheet::NativeSheet;
     #[pymodule_export]
     use super::native_study::NativeStudy;
     #[pymodule_export]

@@ -3,12 +3,23 @@
 use crate::failure::Failure;
 use lanchester::task::option;
 use lanchester::units::{self, BadQuantity, Dimension};
+use pyo3::PyClass;
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyDict, PyList, PyString, PyTuple};
 
 /// The arguments of one question by name; one that is `None` is not given.
 pub struct Options<'py> {
     given: Bound<'py, PyDict>,
+}
+
+/// A plane across a shaft.
+pub struct PlaneGiven {
+    /// Its name.
+    pub name: String,
+    /// Where along the shaft [m].
+    pub z: f64,
+    /// Where in it the weight is, from the axis [m].
+    pub radius: Option<f64>,
 }
 
 /// How a text with a unit is read.
@@ -157,6 +168,54 @@ impl<'py> Options<'py> {
     /// Torques [N m]: a list, or one.
     pub fn torques(&self, name: &str) -> Result<Vec<f64>, Failure> {
         self.list_of(name, "a torque", "N m", option::torque)
+    }
+
+    /// Masses [kg]: a list, or one.
+    pub fn masses(&self, name: &str) -> Result<Vec<f64>, Failure> {
+        self.list_of(name, "a mass", "kg", option::mass)
+    }
+
+    /// Planes by name: each its place along the shaft [m], or that and a radius [m].
+    pub fn planes(&self, name: &str) -> Result<Option<Vec<PlaneGiven>>, Failure> {
+        let Some(value) = self.get(name)? else { return Ok(None) };
+        let planes = value.cast::<PyDict>().map_err(|_| {
+            Failure::option(
+                format_args!("`{name}` needs a dictionary of planes by name, got {}", kind(&value)),
+                format_args!("write {name}={{\"front\": \"-180 mm\", \"rear\": \"200 mm\"}}"),
+            )
+        })?;
+        let length = |value: &Bound<'py, PyAny>| self.quantity(name, value, "a length", "m", option::length);
+        let mut found = Vec::new();
+        for (plane, at) in planes {
+            let is_pair = at.is_instance_of::<PyTuple>() || at.is_instance_of::<PyList>();
+            let (z, radius) = match if is_pair { iterated(&at, name)? } else { vec![at] }.as_slice() {
+                [z] => (length(z)?, None),
+                [z, radius] => (length(z)?, Some(length(radius)?)),
+                parts => {
+                    return Err(Failure::option(
+                        format_args!(
+                            "a plane of `{name}` needs z, or z and radius, got {} values",
+                            parts.len()
+                        ),
+                        format_args!("write {name}={{\"damper\": (\"-290 mm\", \"70 mm\"), ...}}"),
+                    ));
+                }
+            };
+            found.push(PlaneGiven { name: text(&plane, name)?, z, radius });
+        }
+        Ok(Some(found))
+    }
+
+    /// An object of the native module.
+    pub fn object<T: PyClass>(&self, name: &str, due: &str) -> Result<Option<Bound<'py, T>>, Failure> {
+        let Some(value) = self.get(name)? else { return Ok(None) };
+        match value.cast::<T>() {
+            Ok(found) => Ok(Some(found.clone())),
+            Err(_) => Err(Failure::option(
+                format_args!("`{name}` needs {due}, got {}", kind(&value)),
+                format_args!("leave `{name}` out, or give {due}"),
+            )),
+        }
     }
 
     fn list_of(&self, name: &str, due: &str, unit: &str, read: Read) -> Result<Vec<f64>, Failure> {

@@ -104,6 +104,14 @@ impl Prepared {
     }
 }
 
+/// The text of a workshop sheet.
+///
+/// # Errors
+/// Where it cannot be read.
+pub fn sheet_file_text(path: &Path) -> Result<String, Failure> {
+    text_of(path, LONGEST_INPUT, "give the place of a workshop sheet")
+}
+
 /// Files that an engine file names, from its own folder; `section` names them.
 fn beside(names: Vec<&str>, folder: Option<&Path>, section: &str) -> Result<Vec<TraceFile>, Failure> {
     let hint = format!("{section} names it: give its place from the folder of the engine file");

@@ -5,6 +5,7 @@ from __future__ import annotations
 import inspect
 import math
 import os
+import pickle
 import signal
 import subprocess
 import sys
@@ -17,7 +18,7 @@ import numpy as np
 import pytest
 
 import lanchester
-from lanchester import Engine, EngineFileError, InternalError, RequestError, Result, _native
+from lanchester import Engine, EngineFileError, InternalError, RequestError, Result, WorkshopSheet, _native
 from lanchester.engine import _KINDS
 
 FOUR = Engine.template("in-line-4")
@@ -202,6 +203,7 @@ def test_wrong_maps_say_which_engine() -> None:
 def test_map_asks_every_question_about_one_engine() -> None:
     """Every method that answers with a result, whole and as numbers."""
     kinds = {kind.__name__ for kind in Result.__subclasses__()}
+    # Those about a workshop sheet have no engine.
     own = {name for name, member in vars(Engine).items() if inspect.isfunction(member) and member.__annotations__.get("return") in kinds}
     assert own - {"explore"} == set(_KINDS) and len(own) > 20
     whole = Engine.template("single").complete()
@@ -243,6 +245,78 @@ def test_indices_count_from_0_in_messages_too() -> None:
         whole.simulate(tolerance=math.nan)
 
 
+SINGLE = Engine.template("single")
+V8 = Engine.template("v8-crossplane")
+PLANES = {"front": "-180 mm", "rear": "200 mm"}
+SHEET = WorkshopSheet.read(Path(__file__).parents[3] / "examples" / "workshop" / "v8-bobweight.toml")
+
+
+@pytest.mark.parametrize(
+    ("call", "words"),
+    [
+        (lambda: SINGLE.workshop(total_share=0.5, bobweight="1 kg"), "`total_share` and `bobweight` both give the balance factor"),
+        (lambda: SINGLE.workshop(wet_share=0.5), "`oil` is not given"),
+        (lambda: SINGLE.workshop(bobweight="1 mm"), "needs a mass, got a length"),
+        (lambda: SINGLE.workshop(reciprocating_share="half"), "reciprocating_share"),
+        (lambda: V8.crank_unbalance(planes={"front": 0.0}), "needs two planes, got 1"),
+        (lambda: V8.crank_unbalance(planes={"front": 0.1, "rear": "0.1 m"}), "front"),
+        (lambda: V8.crank_unbalance(planes={"front": "1 kg", "rear": 0.2}), "needs a length, got a mass"),
+        (lambda: V8.crank_unbalance(planes={"front": (0.0, 0.1), "rear": 0.2}), "has no radii here"),  # type: ignore[dict-item]
+        (lambda: V8.crank_unbalance(sheet="v8.toml"), "needs a WorkshopSheet, got `str`"),  # type: ignore[arg-type]
+        (lambda: V8.crank_unbalance(sheet=SHEET, oil="10 g"), "the pins of the sheet have their own oil"),
+        (lambda: V8.crank_unbalance(crankshaft=1), "needs an index from 0 to 0, got 1"),
+        (lambda: V8.external_balance({"damper": (0.1, 0.2, 0.3), "flywheel": 0.3}, keep=0.5), "needs z, or z and radius, got 3 values"),  # type: ignore[dict-item]
+        (lambda: V8.external_balance(PLANES, keep=1.5), "from 0 to 1, got 1.5"),
+        (lambda: FOUR.assign_parts(), "nothing is weighed"),
+        (lambda: FOUR.assign_parts(pistons=["400 g"] * 3), "`pistons` needs 4 masses, one for each cylinder, got 3"),
+        (lambda: FOUR.assign_parts(pistons=[0.4, 0.4, 0.4, -0.4]), "needs masses above 0, got -0.4"),
+        (lambda: SINGLE.stress_cycle(bearings="ball"), 'unknown value "ball" for `bearings`'),
+        (lambda: SINGLE.stress_cycle(instants=100), "needs a multiple of 8, got 100"),
+        (lambda: SINGLE.stress_cycle(damping=1.0), "from 0 to below 1, got 1"),
+        (lambda: SINGLE.stress_cycle(size_factor=0.0), "above 0, got 0"),
+        (lambda: SINGLE.stress_cycle(), "[crank.body]"),
+        (lambda: SINGLE.reduced_model(501), "whole number from 0 to 500, got 501"),
+    ],
+)
+def test_the_workshop_and_the_crankshaft_refuse_what_they_cannot_use(call: Any, words: str) -> None:
+    with pytest.raises(RequestError) as caught:
+        call()
+    assert words in str(caught.value) and caught.value.hint, str(caught.value)
+
+
+def test_sheets_are_checked_as_files_are(tmp_path: Path) -> None:
+    with pytest.raises(EngineFileError) as caught:
+        WorkshopSheet.from_toml('name = "rotor"\n\n[rotor]\nmass = "12 mm"\nweight = "1 kg"\n')
+    assert [own.line for own in caught.value.diagnostics] and '"12 mm"' in [own.place for own in caught.value.diagnostics]
+    with pytest.raises(RequestError, match="add .*run.* or .*display"):
+        WorkshopSheet.from_dict({"name": "rotor"}).correct()
+    with pytest.raises(RequestError, match="cannot read"):
+        WorkshopSheet.read(tmp_path / "none.toml")
+    named = WorkshopSheet.from_toml(SHEET.text)
+    assert named != SHEET and named == WorkshopSheet.from_toml(SHEET.text)
+    with pytest.raises(RequestError, match="comes from a text without a folder"):
+        named.bobweight()
+    again = pickle.loads(pickle.dumps(SHEET))
+    assert again == SHEET and again.bobweight().to_json() == SHEET.bobweight().to_json()
+    # Numbers are SI, texts have their unit.
+    rotor = {"mass": 12.0, "centre": 0.18, "supports": [0.0, 0.4], "speed": 6000 * np.pi / 30, "grade": "G 6.3"}
+    texts = {**rotor, "mass": "12 kg", "centre": "180 mm", "supports": ["0 mm", "400 mm"], "speed": "6000 rpm"}
+    one, other = (WorkshopSheet.from_dict({"name": "crankshaft 12", "rotor": own}).grade() for own in (rotor, texts))
+    # 6.3 mm/s over 6000 rpm, times 12 kg.
+    assert math.isclose(one.permissible, 12 * 6.3e-3 / (200 * math.pi), rel_tol=1e-12) and math.isclose(one.permissible, other.permissible, rel_tol=1e-12)
+
+
+def test_a_sheet_gives_the_bobweights_of_a_crank() -> None:
+    alone = V8.crank_unbalance(planes=PLANES)
+    of_sheet = V8.crank_unbalance(planes=PLANES, sheet=SHEET)
+    mass = SHEET.bobweight().bobweights[0].mass
+    given = V8.crank_unbalance(planes=PLANES, sheet=SHEET, bobweight=mass)
+    assert of_sheet.to_json() != alone.to_json()
+    for one, other in zip(of_sheet.throws, given.throws, strict=True):
+        np.testing.assert_allclose(one.unbalance, other.unbalance, rtol=0, atol=1e-15)
+    assert lanchester.map("crank_unbalance", [V8], sheet=SHEET, planes=PLANES)[0].to_json() == of_sheet.to_json()
+
+
 def test_sizes_of_elements_without_elements_are_refused() -> None:
     whole = Engine.template("single").complete()
     with pytest.raises(RequestError, match="those of finite elements"):
@@ -252,19 +326,26 @@ def test_sizes_of_elements_without_elements_are_refused() -> None:
 
 
 @pytest.mark.parametrize(
-    "ask",
+    ("ask", "after"),
     [
-        "lanchester.Engine.template('v6-60').sensitivity(sobol=1_000_000)",
-        "lanchester.map('simulate', [lanchester.Engine.template('single').complete()] * 1000, revolutions=200)",
+        ("lanchester.Engine.template('v6-60').sensitivity(sobol=1_000_000)", 1.5),
+        ("lanchester.map('simulate', [lanchester.Engine.template('single').complete()] * 1000, revolutions=200)", 1.5),
+        # Once it is meshed and reduced.
+        (
+            "lanchester.Engine.template('single').complete().with_({'crank.body.pin_fillet': None, 'crank.body.journal_fillet': None})"
+            ".stress_cycle(size='30 mm', fillet_elements=2, instants=3600, cycles=1000, rigid_crankshaft=True)",
+            6.0,
+        ),
+        ("lanchester.Engine.template('v8-crossplane').complete().bondgraph(duration='60 s')", 1.5),
     ],
-    ids=["shares of the variance", "many runs"],
+    ids=["shares of the variance", "many runs", "a crank in its bearings", "a run of a bond graph"],
 )
 @pytest.mark.skipif(sys.platform == "win32", reason="Ctrl-C is another signal there")
-def test_what_is_interrupted_does_not_go_on_behind(ask: str) -> None:
+def test_what_is_interrupted_does_not_go_on_behind(ask: str, after: float) -> None:
     """Once nobody waits any more the processors are left alone."""
     program = (
         "import lanchester, signal, threading, os, time\n"
-        "threading.Timer(1.5, lambda: os.kill(os.getpid(), signal.SIGINT)).start()\n"
+        f"threading.Timer({after}, lambda: os.kill(os.getpid(), signal.SIGINT)).start()\n"
         f"try:\n    {ask}\n    print('finished')\nexcept KeyboardInterrupt:\n    print('interrupted')\n"
         "time.sleep(2.0)\nbefore = time.process_time()\ntime.sleep(0.5)\nprint(time.process_time() - before)\nos._exit(0)\n"
     )

@@ -16,11 +16,14 @@ import numpy as np
 import pytest
 
 import lanchester
-from lanchester import Engine, Record, Records, RequestError, Result, results
+from lanchester import Engine, Record, Records, RequestError, Result, WorkshopSheet, results
+from lanchester._record import Variant
 from lanchester.table import Table
 
 ROOT = Path(__file__).parents[3]
 EXAMPLES = ROOT / "examples"
+SHEETS = EXAMPLES / "workshop"
+V8_PLANES = {"front": "-180 mm", "rear": "200 mm"}
 
 
 def asked() -> dict[str, Result]:
@@ -30,6 +33,10 @@ def asked() -> dict[str, Result]:
     production = Engine.read(EXAMPLES / "in-line-4-production.toml")
     weights = Engine.read(EXAMPLES / "in-line-3-counterweights.toml")
     whole = single.complete()
+    # One fillet a web, and that a large one: the mesh is small.
+    coarse = whole.with_({"crank.body.pin_fillet": "5 mm", "crank.body.journal_fillet": None})
+    bare = coarse.with_({"crank.body.pin_fillet": None})
+    eight = Engine.template("v8-crossplane")
     return {
         "loads": four.loads(),
         "bending": four.bending(),
@@ -48,13 +55,23 @@ def asked() -> dict[str, Result]:
         "sensitivity": four.sensitivity(vary="rod length = 10 %", only=True),
         "simulate": single.simulate(revolutions=1, imposed=True),
         "crosscheck": single.crosscheck(condition="a"),
-        "bondgraph": single.bondgraph(),
+        "bondgraph": single.bondgraph(revolutions=1, audit=True),
         "films": whole.films(),
         "torsion": whole.torsion(),
         "strength": whole.strength(),
         "modes": whole.modes(6, size="12 mm", fillet_elements=2),
         "stress": whole.stress(angle=0.0, size="12 mm", fillet_elements=2),
         "fatigue": whole.fatigue(size="12 mm", fillet_elements=2, instants=24),
+        "stress_cycle": coarse.stress_cycle(bearings=["rigid", "film"], speed="3000 rpm", size="30 mm", fillet_elements=2, modes=6, instants=72),
+        "reduced_model": bare.reduced_model(6, size="20 mm", fillet_elements=2),
+        "crank_unbalance": eight.crank_unbalance(planes=V8_PLANES, bobweight="1.5 kg"),
+        "external_balance": eight.external_balance({"damper": ("-290 mm", "70 mm"), "flywheel": "330 mm"}, keep="70 %"),
+        "assign_parts": four.assign_parts(pistons=["401.2 g", "399.8 g", "400.5 g", "400.9 g"]),
+        "sheet bobweight": WorkshopSheet.read(SHEETS / "v8-bobweight.toml").bobweight(),
+        "sheet internal": WorkshopSheet.read(SHEETS / "v8-slugs.toml").internal(),
+        "sheet correct": WorkshopSheet.read(SHEETS / "two-plane-crank.toml").correct(),
+        "sheet drill": WorkshopSheet.read(SHEETS / "machine-display.toml").drill(),
+        "sheet grade": WorkshopSheet.read(SHEETS / "machine-display.toml").grade(),
         "compare": lanchester.compare([four, twin]),
     }
 
@@ -75,12 +92,27 @@ def walk(record: Record, values: dict[str, Any], path: str, seen: set[str]) -> N
 
 
 def compare(found: Any, value: Any, path: str, seen: set[str]) -> None:
-    if isinstance(found, Record):
+    if isinstance(found, Variant) and isinstance(value, str):
+        assert found.kind == value == found and not any(getattr(found, name) is not None for name in found._FIELDS[1:]), path  # type: ignore[attr-defined]
+        seen.add(type(found).__name__)
+    elif isinstance(found, Variant):
+        # One variant with what is in it.
+        [(key, content)] = value.items()
+        assert found.kind == key and found == value and key in found and plain(found[key]) == content, path  # type: ignore[attr-defined]
+        [name] = [name for name in found._FIELDS if name.removesuffix("_") == key.replace("-", "_").lower()]
+        compare(getattr(found, name), content, f"{path}.{key}", seen)
+        assert all(getattr(found, other) is None for other in found._FIELDS[1:] if other != name), path
+        seen.add(type(found).__name__)
+    elif isinstance(found, (list, tuple)) and isinstance(value, list):
+        assert len(found) == len(value), path
+        for place, (own, below) in enumerate(zip(found, value, strict=True)):
+            compare(own, below, f"{path}[{place}]", seen)
+    elif isinstance(found, Record):
         walk(found, value, path, seen)
     elif isinstance(found, Records):
         assert len(found) == len(value), path
         for place, (own, below) in enumerate(zip(found, value, strict=True)):
-            walk(own, below, f"{path}[{place}]", seen)
+            compare(own, below, f"{path}[{place}]", seen)
     elif isinstance(found, np.ndarray):
         assert found.dtype == np.float64 and not (found.size and found.flags.writeable), path
         np.testing.assert_array_equal(found, np.array(value, dtype=np.float64).reshape(found.shape), err_msg=path)
@@ -104,7 +136,29 @@ def test_every_field_of_every_result_is_typed_and_is_that_of_its_json(all_result
     seen: set[str] = set()
     for name, result in all_results.items():
         walk(result, json.loads(result.to_json()), name, seen)
-    assert len(seen) > 80, f"{len(seen)} structures were looked at"
+    assert len(seen) > 200, f"{len(seen)} structures were looked at"
+    variants = {name for name in seen if issubclass(getattr(results, name), Variant)}
+    assert len(variants) > 10, f"of the unions {sorted(variants)} were looked at"
+
+
+def test_no_field_of_a_result_is_of_any_type() -> None:
+    text = Path(results.__file__).read_text(encoding="utf-8")
+    assert [line for line in text.splitlines() if "def " in line and "Any" in line] == []
+
+
+def test_variants_are_told_apart_by_their_kind() -> None:
+    task = Engine.template("twin-360").balance(minimise=["force order 1", "couple"], counterweights="throws").task
+    [(_, by_order)], [(_, couple)] = task.stages[0].terms, task.stages[1].terms
+    assert by_order.kind == "order" and by_order.order is not None and by_order.order[0] == "force" and by_order.order[1] == 1.0
+    assert couple.kind == "peak" and couple.peak == "couple" and couple.order is None
+    assert couple == {"peak": "couple"} and couple != by_order and len({couple, by_order}) == 2
+    # As before.
+    assert couple["peak"] == "couple" and "peak" in couple and "order" not in couple
+    assert repr(by_order) == "Criterion('order', (Load('force'), 1.0))" and str(couple.peak) == "couple"
+    with pytest.raises(KeyError):
+        couple["order"]
+    again = pickle.loads(pickle.dumps(by_order))
+    assert again == by_order and again.kind == "order"
 
 
 def test_every_result_has_words_tables_or_pictures(all_results: dict[str, Result]) -> None:
@@ -152,6 +206,120 @@ def test_json_is_that_of_the_command_line(file: str, command: list[str], ask: An
     printed = subprocess.run(line, capture_output=True, text=True, encoding="utf-8", check=False)
     assert printed.returncode in (0, 1), printed.stderr
     assert json.loads(ask(Engine.read(path)).to_json()) == json.loads(printed.stdout)
+
+
+WORKSHOP: list[tuple[list[str], Any]] = [
+    (["bobweight", "v8-bobweight.toml"], lambda: WorkshopSheet.read(SHEETS / "v8-bobweight.toml").bobweight()),
+    (["internal", "v8-slugs.toml"], lambda: WorkshopSheet.read(SHEETS / "v8-slugs.toml").internal()),
+    (["correct", "two-plane-crank.toml"], lambda: WorkshopSheet.read(SHEETS / "two-plane-crank.toml").correct()),
+    (["correct", "machine-display.toml"], lambda: WorkshopSheet.read(SHEETS / "machine-display.toml").correct()),
+    (["drill", "machine-display.toml"], lambda: WorkshopSheet.read(SHEETS / "machine-display.toml").drill()),
+    (["grade", "machine-display.toml"], lambda: WorkshopSheet.read(SHEETS / "machine-display.toml").grade()),
+    (["factor", "../v6-60.toml"], lambda: Engine.read(EXAMPLES / "v6-60.toml").workshop()),
+    (["factor", "../single-gas.toml", "--wet-share", "60%", "--oil", "12 g"], lambda: Engine.read(EXAMPLES / "single-gas.toml").workshop(wet_share="60 %", oil=0.012)),
+    (["factor", "../single-gas.toml", "--least-peak", "--angle", "170 deg"], lambda: Engine.read(EXAMPLES / "single-gas.toml").workshop(least_peak=True, angle="170 deg")),
+    (["factor", "../single-gas.toml", "--axis-ratio", "1.5"], lambda: Engine.read(EXAMPLES / "single-gas.toml").workshop(axis_ratio=1.5)),
+    (["factor", "../single-gas.toml", "--counterweight", "9000 g mm"], lambda: Engine.read(EXAMPLES / "single-gas.toml").workshop(counterweight="9000 g mm")),
+    (["crank", "../in-line-4.toml"], lambda: Engine.read(EXAMPLES / "in-line-4.toml").crank_unbalance()),
+    (
+        ["crank", "../in-line-4.toml", "--planes", "front=-180 mm, rear=200 mm", "--bobweight", "1712 g"],
+        lambda: Engine.read(EXAMPLES / "in-line-4.toml").crank_unbalance(planes={"front": -0.18, "rear": "200 mm"}, bobweight=1.712),
+    ),
+    (
+        ["external", "../in-line-4.toml", "--planes", "damper=-290 mm @ 70 mm, flywheel=330 mm", "--keep", "70%", "--total-share", "40%"],
+        lambda: Engine.read(EXAMPLES / "in-line-4.toml").external_balance({"damper": ("-290 mm", "70 mm"), "flywheel": 0.33}, keep=0.7, total_share="40 %"),
+    ),
+    (
+        ["assign", "../in-line-4.toml", "--big-ends", "452 g, 455 g, 450 g, 451 g", "--small-ends", "160 g, 162 g, 161 g, 160 g", "--lever", "200 mm"],
+        lambda: Engine.read(EXAMPLES / "in-line-4.toml").assign_parts(big_ends=["452 g", "455 g", "450 g", "451 g"], small_ends=["160 g", "162 g", "161 g", "160 g"], lever="200 mm"),
+    ),
+]
+
+
+@pytest.mark.parametrize(("line", "ask"), WORKSHOP, ids=[" ".join(own[0]) for own in WORKSHOP])
+def test_the_workshop_answers_as_on_the_command_line(line: list[str], ask: Any) -> None:
+    if PROGRAM is None:
+        pytest.skip("LANCHESTER_PROGRAM names no program; `cargo xtask python` does")
+    done = subprocess.run([PROGRAM, "workshop", *line, "--format", "json"], capture_output=True, text=True, encoding="utf-8", check=False, cwd=SHEETS)
+    assert done.returncode in (0, 1), done.stderr
+    found = ask()
+    assert json.loads(found.to_json()) == json.loads(done.stdout)
+    said = subprocess.run([PROGRAM, "workshop", *line], capture_output=True, text=True, encoding="utf-8", check=False, cwd=SHEETS).stdout
+    assert found.to_text().split() == said.split()
+
+
+def test_a_crank_in_its_bearings_is_that_of_the_command_line(tmp_path: Path) -> None:
+    engine = Engine.template("single").complete().with_({"crank.body.pin_fillet": "5 mm", "crank.body.journal_fillet": None})
+    file, mesh = engine.save(tmp_path / "single.toml"), {"size": "30 mm", "fillet_elements": 2}
+    found = engine.stress_cycle(bearings=["bushing", "rigid"], speed=300.0, modes=6, damping="2 %", instants=72, cycles=4, surface_factor=0.8, **mesh)
+    worst = {run.law: max(run.fillets, key=lambda own: own.peak) for run in found.runs}
+    assert list(worst) == ["bushing", "rigid"] and all(run.outcome.kind in ("periodic", "not_periodic") for run in found.runs)
+    assert len(found.runs[0].theta) == 144 and found.fatigue is not None and len(found.runs[0].fatigue) == len(found.runs[0].fillets) == 2
+    curve = np.asarray(worst["rigid"].over_cycle)
+    assert curve.max() == worst["rigid"].peak and abs(found.runs[1].theta[curve.argmax()]) < np.pi, "the largest stress is that of the firing"
+    left, right = found.plot().axes
+    assert [line.get_label() for line in left.lines] == ["bushing", "rigid"] and left.get_title().startswith("Stress of pin 1")
+    assert "bushing" in [line.get_label() for line in right.lines] and right.get_xlabel() == "x [um]"
+    if PROGRAM is None:
+        pytest.skip("LANCHESTER_PROGRAM names no program; `cargo xtask python` does")
+    asked = ["--bearings", "bushing,rigid", "--speed", "300 rad/s", "--modes", "6", "--damping", "0.02", "--instants", "72", "--cycles", "4", "--surface-factor", "0.8"]
+    line = [PROGRAM, "stress", "cycle", str(file), "--size", "30 mm", "--fillet-elements", "2", *asked, "--format", "json"]
+    printed = json.loads(subprocess.run(line, capture_output=True, text=True, encoding="utf-8", check=False).stdout)
+    own = json.loads(found.to_json())
+    for run, told in zip(own["runs"], printed["runs"], strict=True):
+        np.testing.assert_allclose([one["peak"] for one in run["fillets"]], [one["peak"] for one in told["fillets"]], rtol=1e-9)
+        np.testing.assert_allclose(run["bearings"][0]["load"], told["bearings"][0]["load"], rtol=1e-9, atol=1e-6)
+    assert {key for run in own["runs"] for key in run} == {key for run in printed["runs"] for key in run}
+
+
+def test_a_reduced_model_is_matrices_that_numpy_and_the_command_line_share(tmp_path: Path) -> None:
+    engine = Engine.template("single").complete().with_({"crank.body.pin_fillet": None, "crank.body.journal_fillet": None})
+    found = engine.reduced_model(6, size="20 mm", fillet_elements=2)
+    model = found.model
+    size = 6 * len(model.points) + 6
+    assert model.mass.shape == model.stiffness.shape == model.gyroscopic.shape == model.centrifugal.shape == (size, size)
+    assert [name for name, _ in model.points] == ["MAIN_1", "MAIN_2", "PIN_1", "FLYWHEEL"] and model.points[0][1].shape == (3,)
+    np.testing.assert_allclose(model.mass, model.mass.T, rtol=0, atol=1e-12 * float(np.abs(model.mass).max()))
+    np.testing.assert_allclose(model.gyroscopic, -model.gyroscopic.T, rtol=0, atol=1e-12 * float(np.abs(model.gyroscopic).max()))
+    # Six rigid motions without stiffness, then the frequencies that the result gives: the matrices are the model, not their transposes or a part.
+    squares = np.sort(np.linalg.eigvals(np.linalg.solve(model.mass, model.stiffness)).real)
+    hertz = np.sqrt(np.maximum(squares, 0.0)) / (2 * np.pi)
+    told = np.asarray(found.frequencies)[:, 0]
+    assert len(told) > 12
+    np.testing.assert_allclose(hertz[6 : 6 + len(told)], told, rtol=1e-6)
+    assert hertz[5] < 1e-3 * hertz[6]
+    if PROGRAM is None:
+        pytest.skip("LANCHESTER_PROGRAM names no program; `cargo xtask python` does")
+    file, archive = engine.save(tmp_path / "single.toml"), tmp_path / "single.npz"
+    line = [PROGRAM, "stress", "reduce", str(file), "--size", "20 mm", "--fillet-elements", "2", "--modes", "6", "--output", str(archive)]
+    subprocess.run(line, capture_output=True, check=True)
+    with np.load(archive) as written:
+        for name, own in model.matrices().items():
+            np.testing.assert_allclose(own, written[name], rtol=1e-7, atol=1e-9 * float(np.abs(written[name]).max()), err_msg=name)
+
+
+def test_a_graph_without_a_run_says_how_to_get_one_and_its_run_is_drawn() -> None:
+    single = Engine.template("single")
+    without = single.bondgraph()
+    assert without.run is None and without.figures[0].svg.startswith("<svg") and "<svg" in without._repr_html_()
+    with pytest.raises(RequestError, match="no run to plot") as caught:
+        without.plot()
+    assert caught.value.hint is not None and "revolutions" in caught.value.hint
+    found = single.bondgraph(duration="10 ms", samples=50, tolerance=1e-8)
+    run = found.run
+    assert run is not None and run.complete and len(run.time) == 51 and abs(run.time[-1] - 0.01) < 1e-12 and run.audit is None
+    assert len(found.figures) > 1 and found.drawing in [picture.svg for picture in found.figures]
+    states, powers = found.plot().axes
+    series = {own.name: own for own in run.series}
+    np.testing.assert_array_equal(states.lines[0].get_ydata(), series["theta"].values)
+    assert states.get_ylabel() == f"states [{series['theta'].unit}]" and powers.get_ylabel() == "power [W]"
+    np.testing.assert_array_equal(powers.lines[0].get_ydata(), series[f"{powers.lines[0].get_label()}.power"].values)
+    with pytest.raises(RequestError, match="`samples` is that of a run"):
+        single.bondgraph(samples=10)
+    with pytest.raises(RequestError, match="more than one is given"):
+        single.bondgraph(revolutions=1, periodic=True)
+    with pytest.raises(RequestError, match="`tolerance` is outside"):
+        single.bondgraph(revolutions=1, tolerance=0.5)
 
 
 def test_paths_lead_to_single_values() -> None:

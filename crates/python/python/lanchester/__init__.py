@@ -13,6 +13,7 @@ from ._native import VERSION as __version__
 from ._record import Picture, Record, Records, Result
 from .engine import Engine, Variants, adopt, compare, map
 from .errors import Diagnostic, EngineFileError, InternalError, LanchesterError, RequestError
+from .sheet import WorkshopSheet
 from .table import Table
 
 __all__ = [
@@ -28,6 +29,7 @@ __all__ = [
     "Result",
     "Table",
     "Variants",
+    "WorkshopSheet",
     "__version__",
     "adopt",
     "compare",

@@ -16,9 +16,10 @@ from pathlib import Path
 from typing import Any
 
 from . import _native
-from ._record import Record, Result
+from ._record import Record, Result, Variant
 from .engine import _KINDS, Engine, Variants, _natives
 from .errors import RequestError
+from .sheet import WorkshopSheet
 from . import results as _results
 from .results import Exploration, ScatterStudy
 
@@ -176,7 +177,7 @@ def check_paths(question: str, paths: Sequence[str]) -> None:
         here: Any = _KINDS[question][1]
         words = ""
         for step in _native.path_steps(path):
-            if here is None:
+            if here is None or issubclass(here, Variant):
                 break
             if isinstance(step, int):
                 continue
@@ -205,6 +206,8 @@ def known(question: str, options: Mapping[str, Any], further: Sequence[str] = ()
     for option in options:
         if option not in names:
             raise RequestError(f"`{question}` has no argument `{option}`", f"it has {', '.join(sorted(names))}")
+        if isinstance(options[option], WorkshopSheet):
+            raise RequestError(f"`{option}` is a sheet, and a study in blocks writes what it asks into its tables", "give numbers and texts, such as bobweight=\"1.7 kg\"")
 
 
 def kind_of(question: str) -> str:

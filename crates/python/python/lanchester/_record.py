@@ -78,6 +78,10 @@ class Record:
         value = self._get(name)
         return None if value is None else kind(value)
 
+    def _as(self, name: str, read: Callable[[Any], Any], nothing: Any) -> Any:
+        value = self._get(name)
+        return nothing if value is None else read(value)
+
     def _all(self, name: str, kind: type[R]) -> Records[R]:
         value = self._get(name)
         return Records([] if value is None else value, kind)
@@ -137,6 +141,114 @@ class Record:
 
     def __dir__(self) -> list[str]:
         return sorted({*super().__dir__()})
+
+
+class Matrices(Record):
+    """A structure with square matrices, which its JSON has row by row."""
+
+    __slots__ = ()
+    _SQUARE: tuple[str, ...] = ()
+
+    def _square(self, name: str) -> Any:
+        numbers = np.asarray(self._get(name), dtype=np.float64)
+        size = round(len(numbers) ** 0.5)
+        return numbers.reshape(size, size)
+
+    def matrices(self) -> dict[str, FloatArray]:
+        """All its matrices and vectors by name, as ``numpy.savez`` takes them.
+
+        >>> from lanchester import Engine
+        >>> engine = Engine.template("single").complete().with_({"crank.body.pin_fillet": None, "crank.body.journal_fillet": None})
+        >>> model = engine.reduced_model(4, size="20 mm", fillet_elements=2).model
+        >>> model.matrices()["stiffness"].ndim
+        2
+        """
+        found = {name: getattr(self, name) for name in self._FIELDS}
+        return {name: own for name, own in found.items() if isinstance(own, np.ndarray)}
+
+
+class Variant(Record):
+    """One of several variants: `kind` says which it is, and the attribute of its name has what is in it; the others are None.
+
+    It equals the word of its kind, and what is in it is found by its word too.
+
+    >>> from lanchester import Engine
+    >>> criterion = Engine.template("twin-360").balance(minimise="force order 1", counterweights="throws").task.stages[0].terms[0][1]
+    >>> criterion.kind, criterion.order[0].kind, criterion.order[1]
+    ('order', 'force', 1.0)
+    >>> criterion.order[0] == "force", criterion.peak is None
+    (True, True)
+    """
+
+    __slots__ = ()
+    _values: Any
+
+    def _kind(self) -> Any:
+        return self._values if isinstance(self._values, str) else next(iter(self._values))
+
+    def _get(self, name: str) -> Any:
+        return None if isinstance(self._values, str) else self._values.get(name)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Its kind as the key of what is in it, as plain values; of a word alone there is nothing in it.
+
+        >>> from lanchester import Engine
+        >>> Engine.template("twin-360").balance(minimise="force", counterweights="throws").task.stages[0].terms[0][1].to_dict()
+        {'peak': 'force'}
+        """
+        plain: dict[str, Any] = {self._values: None} if isinstance(self._values, str) else _plain(self._values)
+        return plain
+
+    def __getitem__(self, kind: str) -> Any:
+        if isinstance(self._values, str):
+            raise KeyError(kind)
+        return self._values[kind]
+
+    def __contains__(self, kind: object) -> bool:
+        return not isinstance(self._values, str) and kind in self._values
+
+    def __eq__(self, other: object) -> bool:
+        return bool(_plain(self._values) == _plain(other._values if isinstance(other, Variant) else other))
+
+    def __hash__(self) -> int:
+        return hash(self._kind())
+
+    def __str__(self) -> str:
+        return str(self._kind()) if isinstance(self._values, str) else repr(self)
+
+    def __repr__(self) -> str:
+        inside = next((_short(getattr(self, name)) for name in self._FIELDS[1:] if getattr(self, name) is not None), None)
+        return f"{type(self).__name__}({self._kind()!r}{'' if inside is None else ', ' + inside})"
+
+
+def one(value: Any) -> Any:
+    """A value as it is."""
+    return value
+
+
+def an_array(value: Any) -> Any:
+    """Numbers as an array."""
+    return np.asarray(value, dtype=np.float64) if isinstance(value, list) else value
+
+
+def optionally(read: Callable[[Any], Any]) -> Callable[[Any], Any]:
+    """What may be missing."""
+    return lambda value: None if value is None else read(value)
+
+
+def record(kind: type[R]) -> Callable[[Any], Records[R]]:
+    """Structures of one kind."""
+    return lambda values: Records(values, kind)
+
+
+def row(*reads: Callable[[Any], Any]) -> Callable[[Any], tuple[Any, ...]]:
+    """A row of values of several kinds."""
+    return lambda values: tuple(read(value) for read, value in zip(reads, values, strict=True))
+
+
+def every(read: Callable[[Any], Any]) -> Callable[[Any], list[Any]]:
+    """A list of values of one kind."""
+    return lambda values: [read(value) for value in values]
 
 
 def _parts(value: Any, count: int) -> list[Any]:
@@ -204,7 +316,7 @@ class Records(Sequence[R], Generic[R]):
 
     __slots__ = ("_all", "kind")
 
-    def __init__(self, values: Sequence[Mapping[str, Any]], kind: type[R]) -> None:
+    def __init__(self, values: Sequence[Any], kind: type[R]) -> None:
         self._all = values
         self.kind = kind
 
@@ -253,8 +365,8 @@ class Records(Sequence[R], Generic[R]):
             if isinstance(values, np.ndarray):
                 if values.ndim == 1 or (values.ndim == 2 and values.shape[1] <= 4):
                     _put(columns, units, name, values, unit)
-            elif all(value is None or isinstance(value, (str, int, float, bool)) for value in values):
-                columns[name] = values
+            elif all(value is None or isinstance(value, (str, int, float, bool)) or (isinstance(value, Variant) and isinstance(value._values, str)) for value in values):
+                columns[name] = [str(value) if isinstance(value, Variant) else value for value in values]
                 if unit:
                     units[name] = unit
         return Table(self.kind.__name__, self.kind.__name__, columns, units)

@@ -19,6 +19,7 @@ from ._record import FloatArray, Picture, Result
 from .errors import Diagnostic, RequestError
 from .results import (
     Arrangements,
+    Assignment,
     Balance,
     Bearings,
     BearingFilms,
@@ -27,15 +28,19 @@ from .results import (
     Comparison,
     CounterweightCheck,
     CounterweightDesigns,
+    CrankCycle,
     CrankFatigue,
     CrankModes,
     CrankRule,
+    CrankWithBobweights,
     CrossCheck,
     Exploration,
+    ExternalBalance,
     FactorAnswer,
     Inertias,
     Loads,
     MountStudy,
+    ReducedCrank,
     RobustAnswer,
     ScatterStudy,
     Sensitivity,
@@ -44,6 +49,7 @@ from .results import (
     TorqueReport,
     TorsionResult,
 )
+from .sheet import WorkshopSheet
 
 __all__ = ["Engine", "Quantity", "Variants", "adopt", "compare", "map"]
 
@@ -71,6 +77,13 @@ def _put(path: str | PathLike[str], content: bytes, overwrite: bool) -> Path:
     except OSError as error:
         raise RequestError(f"cannot write {place}: {error.strerror or error}", "choose a folder that is there and can be written to") from error
     return place
+
+
+def _sheet(sheet: WorkshopSheet | None) -> _native.Sheet | None:
+    """The sheet as Rust holds it."""
+    if sheet is not None and not isinstance(sheet, WorkshopSheet):
+        raise RequestError(f"`sheet` needs a WorkshopSheet, got `{type(sheet).__name__}`", 'read it by WorkshopSheet.read("...")')
+    return None if sheet is None else sheet._native
 
 
 def _natives(engines: Sequence[Engine]) -> list[_native.Engine]:
@@ -699,14 +712,156 @@ class Engine:
         """
         return self._ask("counterweight_check", CounterweightCheck, {})
 
-    def workshop(self, *, oil: Quantity | None = None, angle: Quantity | None = None) -> FactorAnswer:
-        """Balance factors by every definition. `oil`: mass of the oil in a hollow pin [kg]; `angle`: that of the primary ellipse [rad].
+    # The workshop: what a sheet of weighed and measured parts answers is in `WorkshopSheet`.
+
+    def workshop(
+        self,
+        *,
+        reciprocating_share: Quantity | None = None,
+        wet_share: Quantity | None = None,
+        total_share: Quantity | None = None,
+        bobweight: Quantity | None = None,
+        bobweight_share: Quantity | None = None,
+        counterweight: Quantity | None = None,
+        axis_ratio: float | None = None,
+        least_peak: bool = False,
+        oil: Quantity | None = None,
+        angle: Quantity | None = None,
+    ) -> FactorAnswer:
+        """Balance factor of every throw by every definition, and the first-order force that it leaves.
+
+        Without a factor it is that of the counterweights of the file; else one of them: `reciprocating_share`, the share of the reciprocating mass beyond the rotating mass;
+        `wet_share`, the same with the oil counted as rotating; `total_share` of rotating and reciprocating mass together; `bobweight` at each crankpin [kg], or as
+        `bobweight_share` of all masses at the pin; `counterweight`, its part opposite each throw [kg m]; `axis_ratio`, first-order force along the cylinders over that across
+        them; `least_peak`, the factor with the smallest peak. `oil`: mass of the oil in a hollow pin [kg]; `angle`: direction of the counterweight from the throw [rad].
 
         >>> from lanchester import Engine
-        >>> len(Engine.template("v6-60").workshop().tables) > 0
+        >>> found = Engine.template("single").workshop(reciprocating_share="60 %", oil="12 g")
+        >>> f"{1e3 * found.throws[0].bobweight:.0f} g"
+        '634 g'
+        """
+        options = {
+            "reciprocating_share": reciprocating_share,
+            "wet_share": wet_share,
+            "total_share": total_share,
+            "bobweight": bobweight,
+            "bobweight_share": bobweight_share,
+            "counterweight": counterweight,
+            "axis_ratio": axis_ratio,
+            "least_peak": least_peak,
+            "oil": oil,
+            "angle": angle,
+        }
+        return self._ask("balance_factor", FactorAnswer, options)
+
+    def crank_unbalance(
+        self,
+        *,
+        planes: Mapping[str, Quantity] | None = None,
+        sheet: WorkshopSheet | None = None,
+        reciprocating_share: Quantity | None = None,
+        wet_share: Quantity | None = None,
+        total_share: Quantity | None = None,
+        bobweight: Quantity | None = None,
+        bobweight_share: Quantity | None = None,
+        counterweight: Quantity | None = None,
+        axis_ratio: float | None = None,
+        least_peak: bool = False,
+        oil: Quantity | None = None,
+        crankshaft: int = 0,
+    ) -> CrankWithBobweights:
+        """Static, couple and dynamic unbalance of a crank that carries its bobweights; with a sheet that knows the crank as a body the tilt of its principal axis.
+
+        `planes`: two, by name with their z [m]; default: those of the sheet, or the outermost webs. The bobweights are those of the `sheet`, else what one of the factors
+        of `workshop` says, else 50 % of the reciprocating mass. This engine counts, whatever the sheet names.
+
+        >>> from lanchester import Engine
+        >>> found = Engine.template("v8-crossplane").crank_unbalance(planes={"front": "-180 mm", "rear": "200 mm"})
+        >>> [plane.name for plane in found.planes]
+        ['front', 'rear']
+        """
+        options = {
+            "planes": None if planes is None else dict(planes),
+            "sheet": _sheet(sheet),
+            "reciprocating_share": reciprocating_share,
+            "wet_share": wet_share,
+            "total_share": total_share,
+            "bobweight": bobweight,
+            "bobweight_share": bobweight_share,
+            "counterweight": counterweight,
+            "axis_ratio": axis_ratio,
+            "least_peak": least_peak,
+            "oil": oil,
+            "crankshaft": crankshaft,
+        }
+        return self._ask("crank_unbalance", CrankWithBobweights, options)
+
+    def external_balance(
+        self,
+        planes: Mapping[str, Quantity | tuple[Quantity, Quantity]],
+        *,
+        keep: Quantity = 1.0,
+        sheet: WorkshopSheet | None = None,
+        reciprocating_share: Quantity | None = None,
+        wet_share: Quantity | None = None,
+        total_share: Quantity | None = None,
+        bobweight: Quantity | None = None,
+        bobweight_share: Quantity | None = None,
+        counterweight: Quantity | None = None,
+        axis_ratio: float | None = None,
+        least_peak: bool = False,
+        oil: Quantity | None = None,
+        crankshaft: int = 0,
+    ) -> ExternalBalance:
+        """Weights that damper and flywheel must carry where the counterweights inside are too light.
+
+        `planes`: two outside, by name with their z [m], or with z and the radius of the weight [m], for its mass; `keep`: share of every counterweight of the file that
+        stays. Bobweights as in `crank_unbalance`.
+
+        >>> from lanchester import Engine
+        >>> found = Engine.template("v8-crossplane").external_balance({"damper": ("-290 mm", "70 mm"), "flywheel": ("330 mm", "110 mm")}, keep="70 %")
+        >>> all(own.mass > 0 for own in found.masses)
         True
         """
-        return self._ask("balance_factor", FactorAnswer, {"oil": oil, "angle": angle})
+        options = {
+            "planes": dict(planes),
+            "keep": keep,
+            "sheet": _sheet(sheet),
+            "reciprocating_share": reciprocating_share,
+            "wet_share": wet_share,
+            "total_share": total_share,
+            "bobweight": bobweight,
+            "bobweight_share": bobweight_share,
+            "counterweight": counterweight,
+            "axis_ratio": axis_ratio,
+            "least_peak": least_peak,
+            "oil": oil,
+            "crankshaft": crankshaft,
+        }
+        return self._ask("external_balance", ExternalBalance, options)
+
+    def assign_parts(
+        self,
+        *,
+        pistons: Quantities = (),
+        big_ends: Quantities = (),
+        small_ends: Quantities = (),
+        lever: Quantity | None = None,
+        speed: Quantity | None = None,
+    ) -> Assignment:
+        """Which of the weighed pistons and rods belongs into which cylinder, so that the first order is least.
+
+        `pistons` with pin, rings and clips, `big_ends` and `small_ends` of the rods: masses [kg], one for each cylinder, in the order in which they are numbered; those of the
+        file where none are weighed. A couple counts as its forces over `lever` [m]; default: the distance of the outer mounts, else of the outer cylinders. Up to eight
+        cylinders all assignments are gone through; beyond, `bound` says what could be left to gain.
+
+        >>> from lanchester import Engine
+        >>> found = Engine.template("in-line-4").assign_parts(pistons=["401.2 g", "399.8 g", "400.5 g", "400.9 g"])
+        >>> found.proved, sorted(found.pistons), found.residual < found.as_numbered
+        (True, [1, 2, 3, 4], True)
+        """
+        options = {"pistons": pistons, "big_ends": big_ends, "small_ends": small_ends, "lever": lever, "speed": speed}
+        return self._ask("assign_parts", Assignment, options)
 
     # Many engines.
 
@@ -920,14 +1075,35 @@ class Engine:
         gas: bool = True,
         gravity: bool = True,
         imposed: bool | None = None,
+        revolutions: float | None = None,
+        duration: Quantity | None = None,
+        periodic: bool = False,
+        samples: int | None = None,
+        tolerance: float | None = None,
+        audit: bool = False,
     ) -> BondGraph:
-        """The bond graph of the engine: graph file, causality, equations, Modelica.
+        """The bond graph of the engine: graph file, causality, equations, Modelica, drawing, and where it is asked for a run.
+
+        `revolutions` at the start speed, `duration` [s] or `periodic` ask for a run, whose series `run` has and `plot()` draws; `samples` over it; `tolerance` of its steps;
+        `audit`: the energy through every bond beside it.
 
         >>> from lanchester import Engine
-        >>> "[" in Engine.template("single").bondgraph().graph
-        True
+        >>> found = Engine.template("single").bondgraph(revolutions=1, audit=True)
+        >>> "[" in found.graph, found.run.complete, found.run.audit.whole < 1e-6
+        (True, True, True)
         """
-        options = {"speed": speed, "gas": gas, "gravity": gravity, "imposed": imposed}
+        options = {
+            "speed": speed,
+            "gas": gas,
+            "gravity": gravity,
+            "imposed": imposed,
+            "revolutions": revolutions,
+            "duration": duration,
+            "periodic": periodic,
+            "samples": samples,
+            "tolerance": tolerance,
+            "audit": audit,
+        }
         return self._ask("bondgraph", BondGraph, options)
 
     # The crankshaft as a body.
@@ -988,7 +1164,8 @@ class Engine:
         """Natural frequencies of the crankshaft at rest. The file has a section ``[crank.body]``.
 
         >>> from lanchester import Engine
-        >>> found = Engine.template("single").complete().modes(2, size="20 mm", fillet_elements=2)
+        >>> engine = Engine.template("single").complete().with_({"crank.body.pin_fillet": "5 mm", "crank.body.journal_fillet": None})
+        >>> found = engine.modes(2, size="20 mm", fillet_elements=2)
         >>> found.modes.modes[0].frequency > 100
         True
         """
@@ -1043,6 +1220,87 @@ class Engine:
             "memory": memory,
         }
         return self._ask("stress_fatigue", CrankFatigue, options)
+
+    def stress_cycle(
+        self,
+        *,
+        bearings: Limits = (),
+        rigid_crankshaft: bool = False,
+        speed: Quantity | None = None,
+        free: bool = False,
+        gas: bool = True,
+        modes: int | None = None,
+        damping: Quantity | None = None,
+        instants: int | None = None,
+        cycles: int | None = None,
+        surface_factor: float | None = None,
+        size_factor: float | None = None,
+        gradient_factor: float | None = None,
+        crankshaft: int = 0,
+        size: Quantity | None = None,
+        fillet_elements: int | None = None,
+        memory: int | None = None,
+    ) -> CrankCycle:
+        """The flexible crankshaft turning in its bearings over the cycle, laws of the bearings side by side: stress and safety of every fillet, orbits, least film, loads of
+        the mains. The file has a section ``[crank.body]``.
+
+        `bearings`: ``"rigid"`` (no clearance and no yield), ``"contact"`` (clearance, then a spring with a damper), ``"bushing"`` (springs with dampers), ``"film"`` (an oil
+        film), ``"file"`` (each as the file says), or several; the first four by default. `rigid_crankshaft`: every law with a rigid crankshaft too; `speed`: mean of crankshaft 1
+        [rad/s]; `free`: the flywheel turns as gas, inertia and a constant load make it; `modes` of the free crankshaft that are kept; `damping` of every mode over the critical
+        one [1], else that of the material; `instants` of a revolution, a multiple of 8; most `cycles` of a law; `surface_factor` and so on as in `fatigue`.
+
+        Ctrl-C ends it. That a law does not repeat, or breaks off, is an outcome: `runs[...].outcome`.
+
+        >>> from lanchester import Engine
+        >>> engine = Engine.template("single").complete().with_({"crank.body.pin_fillet": "5 mm", "crank.body.journal_fillet": None})
+        >>> found = engine.stress_cycle(bearings="rigid", speed="3000 rpm", size="30 mm", fillet_elements=2, modes=6, instants=72)
+        >>> found.runs[0].law, found.runs[0].outcome.kind
+        ('rigid', 'periodic')
+        >>> max(fillet.peak for fillet in found.runs[0].fillets) > 1e7
+        True
+        """
+        options = {
+            "bearings": bearings,
+            "rigid_crankshaft": rigid_crankshaft,
+            "speed": speed,
+            "free": free,
+            "gas": gas,
+            "modes": modes,
+            "damping": damping,
+            "instants": instants,
+            "cycles": cycles,
+            "surface_factor": surface_factor,
+            "size_factor": size_factor,
+            "gradient_factor": gradient_factor,
+            "crankshaft": crankshaft,
+            "size": size,
+            "fillet_elements": fillet_elements,
+            "memory": memory,
+        }
+        return self._ask("stress_cycle", CrankCycle, options)
+
+    def reduced_model(
+        self,
+        modes: int | None = None,
+        *,
+        crankshaft: int = 0,
+        size: Quantity | None = None,
+        fillet_elements: int | None = None,
+        memory: int | None = None,
+    ) -> ReducedCrank:
+        """The crankshaft reduced to its bearing surfaces and a few modes (Craig and Bampton), as square NumPy matrices for a multibody program.
+
+        `modes` with all bearing surfaces fixed that are kept, 20 where it is left out. `model` has `stiffness`, `mass`, `gyroscopic`, `centrifugal` and the loads of rotation; the
+        order of the coordinates is in its description. ``numpy.savez("crank.npz", **found.model.matrices())`` writes what the command line's ``.npz`` holds.
+
+        >>> from lanchester import Engine
+        >>> engine = Engine.template("single").complete().with_({"crank.body.pin_fillet": None, "crank.body.journal_fillet": None})
+        >>> found = engine.reduced_model(4, size="20 mm", fillet_elements=2)
+        >>> found.model.mass.shape == found.model.stiffness.shape == (6 * len(found.model.points) + 4,) * 2
+        True
+        """
+        options = {"modes": modes, "crankshaft": crankshaft, "size": size, "fillet_elements": fillet_elements, "memory": memory}
+        return self._ask("stress_reduce", ReducedCrank, options)
 
     def strength(
         self,
@@ -1151,6 +1409,9 @@ _KINDS: dict[str, tuple[str, type[Result]]] = {
     "counterweight": ("counterweight_design", CounterweightDesigns),
     "counterweight_check": ("counterweight_check", CounterweightCheck),
     "workshop": ("balance_factor", FactorAnswer),
+    "crank_unbalance": ("crank_unbalance", CrankWithBobweights),
+    "external_balance": ("external_balance", ExternalBalance),
+    "assign_parts": ("assign_parts", Assignment),
     "scatter": ("scatter", ScatterStudy),
     "sensitivity": ("sensitivity", Sensitivity),
     "simulate": ("simulate", SimulationResult),
@@ -1159,6 +1420,8 @@ _KINDS: dict[str, tuple[str, type[Result]]] = {
     "stress": ("stress_static", StaticStress),
     "modes": ("stress_modes", CrankModes),
     "fatigue": ("stress_fatigue", CrankFatigue),
+    "stress_cycle": ("stress_cycle", CrankCycle),
+    "reduced_model": ("stress_reduce", ReducedCrank),
     "strength": ("stress_rule", CrankRule),
 }
 
@@ -1194,6 +1457,12 @@ def map(question: Literal["counterweight_check"], engines: Sequence[Engine], pic
 @overload
 def map(question: Literal["workshop"], engines: Sequence[Engine], pick: None = None, **options: Any) -> list[FactorAnswer]: ...
 @overload
+def map(question: Literal["crank_unbalance"], engines: Sequence[Engine], pick: None = None, **options: Any) -> list[CrankWithBobweights]: ...
+@overload
+def map(question: Literal["external_balance"], engines: Sequence[Engine], pick: None = None, **options: Any) -> list[ExternalBalance]: ...
+@overload
+def map(question: Literal["assign_parts"], engines: Sequence[Engine], pick: None = None, **options: Any) -> list[Assignment]: ...
+@overload
 def map(question: Literal["scatter"], engines: Sequence[Engine], pick: None = None, **options: Any) -> list[ScatterStudy]: ...
 @overload
 def map(question: Literal["sensitivity"], engines: Sequence[Engine], pick: None = None, **options: Any) -> list[Sensitivity]: ...
@@ -1209,6 +1478,10 @@ def map(question: Literal["stress"], engines: Sequence[Engine], pick: None = Non
 def map(question: Literal["modes"], engines: Sequence[Engine], pick: None = None, **options: Any) -> list[CrankModes]: ...
 @overload
 def map(question: Literal["fatigue"], engines: Sequence[Engine], pick: None = None, **options: Any) -> list[CrankFatigue]: ...
+@overload
+def map(question: Literal["stress_cycle"], engines: Sequence[Engine], pick: None = None, **options: Any) -> list[CrankCycle]: ...
+@overload
+def map(question: Literal["reduced_model"], engines: Sequence[Engine], pick: None = None, **options: Any) -> list[ReducedCrank]: ...
 @overload
 def map(question: Literal["strength"], engines: Sequence[Engine], pick: None = None, **options: Any) -> list[CrankRule]: ...
 @overload
@@ -1238,6 +1511,7 @@ def map(
     unknown = [option for option in options if option not in known]
     if unknown:
         raise RequestError(f"`{question}` has no argument `{unknown[0]}`", f"it has {', '.join(sorted(known - {'return'}))}")
+    options = {option: _sheet(value) if isinstance(value, WorkshopSheet) else value for option, value in options.items()}
     if isinstance(engines, Variants):
         natives, columns = [engines.engine._native], engines.columns
     else:

@@ -439,6 +439,142 @@ def _crosscheck(found: results.CrossCheck, figure: Figure) -> None:
     axes.legend(frameon=False, fontsize=8)
 
 
+def _cycle(found: results.CrankCycle, figure: Figure) -> None:
+    figure.set_figheight(4.2)
+    left, right = figure.subplots(1, 2, width_ratios=(1.7, 1))
+    flexible = [run for run in found.runs if len(run.fillets)]
+    if flexible:
+        # One fillet in all laws: that with the largest stress of all.
+        worst = max((fillet for run in flexible for fillet in run.fillets), key=lambda own: own.peak).name
+        for run in flexible:
+            [stress] = [np.asarray(own.over_cycle) for own in run.fillets if own.name == worst]
+            left.plot(np.asarray(run.theta)[: len(stress)] / DEGREE, 1e-6 * stress[: len(run.theta)], label=run.law)
+        left.set(title=f"Stress of {worst}", xlabel="crank angle [deg]", ylabel="von Mises stress [MPa]")
+        left.set_ylim(bottom=0.0)
+        left.legend(frameon=False, fontsize=8)
+    else:
+        _said(left, "No run has stress: the crankshaft is rigid, no fillet has a radius, or it was stopped.")
+    moving = [(run, own) for run in found.runs for own in run.bearings if own.largest_eccentricity > 1e-12]
+    if moving:
+        # The journal or pin that comes furthest, in all laws.
+        _, furthest = max(moving, key=lambda pair: pair[1].largest_eccentricity / (pair[1].clearance or np.inf))
+        own_of = [(run, own) for run, own in moving if (own.kind, own.number) == (furthest.kind, furthest.number)]
+        for run, own in own_of:
+            orbit = 1e6 * np.asarray(own.orbit)
+            right.plot(orbit[:, 0], orbit[:, 1], linewidth=1, label=run.law + (", rigid crankshaft" if run.crank == "rigid" else ""))
+        clearance = next((own.clearance for _, own in own_of if own.clearance), None)
+        if clearance is not None:
+            turn = np.linspace(0.0, 2 * pi, 181)
+            right.plot(1e6 * clearance * np.cos(turn), 1e6 * clearance * np.sin(turn), ":", color=LIMIT, label="clearance")
+        name = f"{'main' if furthest.kind == 'main' else 'big end'} {furthest.number}"
+        right.set(title=f"Orbit in {name}", xlabel="x [um]", ylabel="y [um]", aspect="equal")
+        right.legend(frameon=False, fontsize=8)
+    else:
+        _said(right, "No journal moves in its bearing: the laws are rigid.")
+    figure.suptitle(f"{found.sheet.engine}, {found.speed / RPM:.0f} rpm", fontsize=10)
+
+
+def _reduced(found: results.ReducedCrank, figure: Figure) -> None:
+    axes = figure.subplots()
+    pairs = np.asarray(found.frequencies)[:12]
+    at = np.arange(len(pairs))
+    axes.plot(at, pairs[:, 0], "o", color=FORWARD, label="reduced model")
+    axes.plot(at, pairs[:, 1], "x", color=BACKWARD, label="with a third of its modes left out")
+    of_mesh = np.asarray(found.of_mesh)
+    axes.plot(np.arange(len(of_mesh)), of_mesh, "_", color="black", markersize=16, label="mesh")
+    axes.set_xticks(at, [str(number + 1) for number in at])
+    axes.set(title=f"Free natural frequencies: {found.sheet.engine}", xlabel="mode", ylabel="frequency [Hz]")
+    axes.legend(frameon=False)
+
+
+def _graph(found: results.BondGraph, figure: Figure) -> None:
+    run = found.run
+    if run is None:
+        raise RequestError("there is no run to plot", "ask for one: engine.bondgraph(revolutions=2).plot(); the drawing is in `figures`, and a notebook shows it")
+    time = np.asarray(run.time)
+    # States come first, then efforts and flows of bonds.
+    bonds = next((place for place, own in enumerate(run.series) if own.name.endswith(".effort")), len(run.series))
+    units: dict[str, list[results.Series]] = {}
+    for own in run.series[:bonds]:
+        units.setdefault(own.unit, []).append(own)
+    powers = sorted((own for own in run.series if own.name.endswith(".power")), key=lambda own: -float(np.abs(own.values).max(initial=0.0)))
+    shown = [(f"states [{unit}]", own[:6]) for unit, own in list(units.items())[:3]] + ([("power [W]", powers[:6])] if powers else [])
+    if not shown:
+        _said(figure.subplots(), "The graph has neither states nor bonds.")
+        return
+    figure.set_figheight(1.2 + 1.7 * len(shown))
+    for axes, (label, series) in zip(np.atleast_1d(figure.subplots(len(shown), 1, sharex=True)), shown, strict=True):
+        for own in series:
+            axes.plot(time, own.values, linewidth=1, label=own.name.removesuffix(".power"))
+        axes.set_ylabel(label)
+        axes.legend(frameon=False, fontsize=7, loc="center left", bbox_to_anchor=(1.0, 0.5))
+    figure.axes[0].set_title(f"Run of the bond graph: {found.engine}")
+    figure.axes[-1].set_xlabel("time [s]")
+
+
+def _arrow(axes: Any, unbalance: Any, label: str, colour: str) -> None:
+    x, y = 1e6 * np.asarray(unbalance)
+    axes.annotate("", (x, y), (0.0, 0.0), arrowprops={"arrowstyle": "->", "color": colour})
+    axes.plot([x], [y], "o", color=colour, markersize=3, label=label)
+
+
+def _around(axes: Any, title: str) -> None:
+    """Axes for unbalances across a shaft."""
+    axes.axhline(0.0, color=LIMIT, linewidth=0.5)
+    axes.axvline(0.0, color=LIMIT, linewidth=0.5)
+    most = max((abs(float(own)) for line in axes.lines for own in (*line.get_xdata(), *line.get_ydata()) if line.get_label()[0] != "_"), default=0.0)
+    reach = 1.15 * most if most > 0.0 else 1.0
+    axes.set_xlim(-reach, reach)
+    axes.set_ylim(-reach, reach)
+    axes.set(title=title, xlabel="x [g mm]", ylabel="y [g mm]", aspect="equal")
+
+
+COLOURS = ("#0b6e99", "#d9730d", "#4d7c0f", "#7e22ce", "#777777", "#c1121f")
+
+
+def _unbalance(found: results.CrankWithBobweights, figure: Figure) -> None:
+    axes = figure.subplots()
+    figure.set_figheight(4.8)
+    # A billionth of what cancels is rounding.
+    noise = 1e-9 * max((float(_size(own.unbalance)) for own in (*found.throws, *found.counterweights)), default=0.0)
+    for place, plane in enumerate(found.planes):
+        shown = plane.unbalance if _size(plane.unbalance) > noise else np.zeros(2)
+        _arrow(axes, shown, f"{plane.name}, z = {1e3 * plane.z:.0f} mm", COLOURS[place])
+    _around(axes, f"Dynamic unbalance with bobweights: {found.engine}")
+    _legend_below(figure, axes)
+
+
+def _outside(found: results.ExternalBalance, figure: Figure) -> None:
+    axes = figure.subplots()
+    figure.set_figheight(4.8)
+    for place, weight in enumerate(found.weights):
+        _arrow(axes, weight.unbalance, f"{weight.name}, z = {1e3 * weight.z:.0f} mm", COLOURS[place])
+    _around(axes, f"Weights outside: {found.engine}")
+    _legend_below(figure, axes)
+
+
+def _bobweights(found: results.BobweightAnswer, figure: Figure) -> None:
+    axes = figure.subplots()
+    _bars(axes, [own.pin for own in found.bobweights], [1e3 * own.mass for own in found.bobweights])
+    axes.set(title=f"Bobweights: {found.name}", xlabel="mass [g]")
+
+
+def _corrected(found: results.Correction, figure: Figure) -> None:
+    axes = figure.subplots()
+    figure.set_figheight(4.8)
+    for place, plane in enumerate(found.planes):
+        _arrow(axes, plane.unbalance, plane.plane, COLOURS[place % len(COLOURS)])
+    _around(axes, f"Weights to add: {found.name}")
+    _legend_below(figure, axes)
+
+
+def _assigned(found: results.Assignment, figure: Figure) -> None:
+    axes = figure.subplots()
+    values = {"parts as they are numbered": found.as_numbered, "this assignment": found.residual, "no assignment leaves less": found.bound}
+    _bars(axes, list(values), list(values.values()), [BACKWARD, FORWARD, LIMIT])
+    axes.set(title="First order that the parts leave", xlabel="force, and couple over the lever [N]")
+
+
 _DRAWN: dict[type[Result], Callable[[Any, Figure], None]] = {
     results.Loads: _loads,
     results.TorqueReport: _torque,
@@ -464,4 +600,12 @@ _DRAWN: dict[type[Result], Callable[[Any, Figure], None]] = {
     results.CounterweightCheck: _checked,
     results.Arrangements: _arrangements,
     results.FactorAnswer: _factors,
+    results.CrankCycle: _cycle,
+    results.ReducedCrank: _reduced,
+    results.BondGraph: _graph,
+    results.CrankWithBobweights: _unbalance,
+    results.ExternalBalance: _outside,
+    results.BobweightAnswer: _bobweights,
+    results.Correction: _corrected,
+    results.Assignment: _assigned,
 }

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from typing import Any, Literal
 
-from ._record import FloatArray, Record, Records, Result
+from ._record import FloatArray, Matrices, Record, Records, Result, Variant, an_array, every, one, optionally, record, row
 
 __all__ = [
     "Active",
@@ -20,6 +20,7 @@ __all__ = [
     "ArrangementClearance",
     "Arrangements",
     "Articulation",
+    "Assignment",
     "AtLeast",
     "Audit",
     "AxisLine",
@@ -28,6 +29,7 @@ __all__ = [
     "BalanceTask",
     "BankPair",
     "BeamLoads",
+    "BearingCycle",
     "BearingFilm",
     "BearingFilms",
     "BearingLoads",
@@ -36,7 +38,12 @@ __all__ = [
     "BendingAlong",
     "BeyondTable",
     "BigEndClearance",
+    "Bobweight",
+    "BobweightAnswer",
+    "BobweightComparison",
     "BodyClearances",
+    "BodyState",
+    "BondEnergy",
     "BondGraph",
     "BoreSheet",
     "Bounds",
@@ -49,6 +56,7 @@ __all__ = [
     "Capability",
     "Carried",
     "CarriedWeight",
+    "Catalogue",
     "CatalogueHole",
     "Chain",
     "ChainEnergy",
@@ -60,6 +68,7 @@ __all__ = [
     "Clearances",
     "CommonFactor",
     "Compared",
+    "ComparedBalance",
     "ComparedTorque",
     "Comparison",
     "ConditionCheck",
@@ -70,6 +79,7 @@ __all__ = [
     "ConvergedNumber",
     "Convergence",
     "ConvergenceMesh",
+    "Correction",
     "Cost",
     "Cost2",
     "CounterweightCheck",
@@ -77,8 +87,10 @@ __all__ = [
     "CounterweightPattern",
     "CounterweightShape",
     "Counts",
+    "CrankBody",
     "CrankCase",
     "CrankChain",
+    "CrankCycle",
     "CrankFatigue",
     "CrankLoad",
     "CrankMesh",
@@ -87,20 +99,26 @@ __all__ = [
     "CrankRule",
     "CrankSheet",
     "CrankUnbalance",
+    "CrankWithBobweights",
     "CrankshaftBody",
     "CrankshaftMoments",
     "CrankshaftSection",
+    "Criterion",
     "Critical",
     "CriticalPlane",
     "CrossCheck",
     "CrossRow",
     "Curve",
+    "CycleOptions",
+    "CycleOutcome",
     "CycleResult",
+    "CycleRun",
     "CycleTrace",
     "CylinderBearings",
     "CylinderExtremes",
     "CylinderLoads",
     "CylinderMotion",
+    "CylinderParts",
     "CylinderReactions",
     "CylinderStrokes",
     "CylinderTorque",
@@ -109,14 +127,20 @@ __all__ = [
     "DamperSweep",
     "Design",
     "DesignLimits",
+    "DesignOutcome",
     "DesignSettings",
     "DesignedCounterweight",
     "Deviation",
     "Diagnosis",
+    "Distribution",
+    "DistributionNormal",
     "DrillCatalogue",
+    "DrilledPlane",
+    "Drilling",
     "DriveLink",
     "DriveTrain",
     "DrivelineBody",
+    "DurabilityCriterion",
     "DurabilityWish",
     "Durable",
     "DurableEnd",
@@ -125,24 +149,30 @@ __all__ = [
     "DurableStage",
     "Effect",
     "Effect2",
+    "ElementEnergy",
     "ElementWeb",
+    "EnergyBalance",
     "EnergyLedger",
     "EnergyVariation",
     "Evolution",
     "Evolved",
     "ExchangeResult",
     "Exploration",
+    "ExternalBalance",
     "Extrapolated",
     "Extreme",
     "Extremes",
     "Factor",
     "FactorAnswer",
+    "FactorChoice",
     "FactorEffect",
     "FactorGiven",
     "FactorPart",
     "FactorValues",
     "FatigueAtSpeed",
     "FatigueFactors",
+    "FatigueMeasure",
+    "FilletCycle",
     "FilletFatigue",
     "FilletPlace",
     "FilletSheet",
@@ -164,12 +194,23 @@ __all__ = [
     "FoundWeight",
     "FreeInertia",
     "FreeShaft",
+    "FreeSpeed",
     "FreeWeight",
     "Functional",
     "FunctionalTerm",
     "Gear",
+    "GearSeat",
+    "GiveUp",
     "GivenEngine",
+    "Grade",
+    "GradedBearing",
+    "GradedPlane",
+    "GraphAudit",
+    "GraphEvent",
+    "GraphPeriodicMotion",
+    "GraphRun",
     "Happened",
+    "Hole",
     "HolzerRow",
     "HolzerTable",
     "IncompleteInertia",
@@ -179,7 +220,16 @@ __all__ = [
     "InertiaSum",
     "Inertias",
     "Infeasible",
+    "Influence",
+    "IntegrationOutcome",
+    "IntegrationOutcomeEvent",
+    "IntegrationOutcomeNotFinite",
+    "IntegrationOutcomeStepTooSmall",
+    "IntegrationOutcomeStiff",
+    "IntegrationOutcomeTooManyEvaluations",
+    "InternalBalance",
     "InternalMoments",
+    "InternalPlane",
     "InvalidCount",
     "JournalBearing",
     "JudgedBy",
@@ -188,12 +238,16 @@ __all__ = [
     "Layout",
     "LayoutOrders",
     "Leading",
+    "LeastFilm",
     "Limit",
     "LimitVerdict",
+    "Load",
     "LoadSet",
     "Loads",
     "MainBearing",
     "MainLoad",
+    "MainRules",
+    "Mains",
     "MassProperties",
     "Material",
     "Measured",
@@ -215,8 +269,17 @@ __all__ = [
     "MountedBody",
     "Nearest",
     "NearestLimit",
+    "NextStep",
     "NominalBore",
     "NominalWeb",
+    "Objective",
+    "ObjectiveCouple",
+    "ObjectiveCoupleSense",
+    "ObjectiveFiringHarmonic",
+    "ObjectiveForce",
+    "ObjectiveForceSense",
+    "ObjectiveInertiaTorque",
+    "ObjectiveRollMoment",
     "Obstacle",
     "Obstruction",
     "Occasion",
@@ -226,6 +289,11 @@ __all__ = [
     "OrderResponse",
     "OrderStar",
     "Outcome",
+    "Output",
+    "OutputCouple",
+    "OutputCoupleSense",
+    "OutputForce",
+    "OutputForceSense",
     "OutputScatter",
     "OutputSensitivity",
     "Overlap",
@@ -239,9 +307,15 @@ __all__ = [
     "PeriodHeat",
     "PeriodSummary",
     "PeriodicResult",
+    "Phase",
     "PinForces",
     "PinLoad",
     "PinLoad2",
+    "PinParts",
+    "Place",
+    "Placement",
+    "PlaneCorrection",
+    "PlaneUnbalance",
     "Point",
     "PointFatigue",
     "PointMotion",
@@ -250,30 +324,48 @@ __all__ = [
     "PowerCurve",
     "Price",
     "PrimaryEllipse",
+    "QuasiStatic",
     "RadialEnvelope",
+    "RadiusAndMass",
     "Range",
     "RangeBreach",
     "Ranking",
     "RankingPlace",
     "Reactions",
+    "ReducedCrank",
+    "ReducedModel",
+    "Remark",
+    "Removes",
+    "RemovesBoth",
+    "RemovesCouple",
+    "RemovesForce",
+    "Residual",
     "RippleOutcome",
     "RobustAnswer",
     "RobustLimit",
+    "RobustMeasure",
     "RobustStage",
     "RotatingBody",
+    "RotatingKind",
     "RotorEffects",
     "RotorExtremes",
     "RotorReactions",
     "RuleFactors",
     "Run",
     "Run2",
+    "RunEntry",
     "RunExtremes",
+    "RunFindings",
     "RunOutcome",
     "Samples",
     "Scatter",
     "ScatterStudy",
+    "Seat",
     "SectionRatios",
     "Sensitivity",
+    "SensorEntry",
+    "SensorPrediction",
+    "Series",
     "SeriesStatistics",
     "Shaft",
     "ShaftDesign",
@@ -284,10 +376,15 @@ __all__ = [
     "ShaftSweep",
     "ShapeTask",
     "SharedWithWeb",
+    "Shoulder",
+    "ShownVibration",
     "Similar",
     "SimulatedOrder",
     "SimulationResult",
+    "Size",
     "Slope",
+    "Slug",
+    "SlugPlan",
     "Smallest",
     "Sobol",
     "SolveReport",
@@ -302,7 +399,9 @@ __all__ = [
     "StaticStress",
     "Station",
     "Station2",
+    "StationKind",
     "StationSweep",
+    "Statistics",
     "StiffnessCentre",
     "StoppedEngine",
     "StressCase",
@@ -314,6 +413,7 @@ __all__ = [
     "Sweep",
     "SweptOverlap",
     "SweptRoom",
+    "Target",
     "ThrowFactor",
     "ThrowInertia",
     "ThrowMasses",
@@ -336,11 +436,13 @@ __all__ = [
     "Trace",
     "TrainInertia",
     "Transmissibility",
+    "TuneAim",
     "TunePoint",
     "TunedDamper",
     "TurningInertia",
     "Unmeasured",
     "VariedInput",
+    "VariedQuantity",
     "WebBound",
     "WebPlace",
     "WebSection",
@@ -358,9 +460,9 @@ class Active(Record):
     _FIELDS = ("criterion", "multiplier", "speed", "theta",)
 
     @property
-    def criterion(self) -> Literal['added-mass', 'added-unbalance', 'cost'] | dict[str, Any]:
+    def criterion(self) -> Criterion:
         """Which criterion."""
-        return self._get("criterion")  # type: ignore[no-any-return]
+        return self._of("criterion", Criterion)  # type: ignore[no-any-return]
 
     @property
     def multiplier(self) -> float:
@@ -792,6 +894,53 @@ class Articulation(Record):
         return self._get("top_dead_centre_shift")  # type: ignore[no-any-return]
 
 
+class Assignment(Result):
+    """Where the parts go."""
+
+    __slots__ = ()
+    _FIELDS = ("as_numbered", "bound", "couple", "force", "pistons", "proved", "residual", "rods",)
+
+    @property
+    def as_numbered(self) -> float:
+        """The residual with the parts as they were numbered [N]."""
+        return self._get("as_numbered")  # type: ignore[no-any-return]
+
+    @property
+    def bound(self) -> float:
+        """No assignment leaves less than this [N]: equal to `residual` where `proved`."""
+        return self._get("bound")  # type: ignore[no-any-return]
+
+    @property
+    def couple(self) -> float:
+        """Largest resultant of the first-order couple [N m]."""
+        return self._get("couple")  # type: ignore[no-any-return]
+
+    @property
+    def force(self) -> float:
+        """Largest resultant of the first-order force [N]."""
+        return self._get("force")  # type: ignore[no-any-return]
+
+    @property
+    def pistons(self) -> list[int]:
+        """Number of the piston (from 1) of each cylinder."""
+        return self._list("pistons")  # type: ignore[no-any-return]
+
+    @property
+    def proved(self) -> bool:
+        """Whether all assignments are known to leave no less."""
+        return self._get("proved")  # type: ignore[no-any-return]
+
+    @property
+    def residual(self) -> float:
+        """Root of the sum of squares of first-order force, forward and backward, and of couple over the lever [N]."""
+        return self._get("residual")  # type: ignore[no-any-return]
+
+    @property
+    def rods(self) -> list[int]:
+        """Number of the rod (from 1) of each cylinder."""
+        return self._list("rods")  # type: ignore[no-any-return]
+
+
 class AtLeast(Record):
     """A criterion that must not fall below a value."""
 
@@ -799,9 +948,9 @@ class AtLeast(Record):
     _FIELDS = ("criterion", "least",)
 
     @property
-    def criterion(self) -> Literal['least-film', 'fillet-safety'] | dict[str, Any]:
+    def criterion(self) -> DurabilityCriterion:
         """What."""
-        return self._get("criterion")  # type: ignore[no-any-return]
+        return self._of("criterion", DurabilityCriterion)  # type: ignore[no-any-return]
 
     @property
     def least(self) -> float:
@@ -1019,11 +1168,11 @@ class BalanceTask(Record):
     _FIELDS = ("cancel", "durability", "give_up", "inertias", "limits", "most_optional", "shaft_costs", "shafts", "speed_weights", "speeds", "stages", "ties", "weights",)
 
     @property
-    def cancel(self) -> list[list[Any]]:
+    def cancel(self) -> list[tuple[Load, float]]:
         """Orders of loads that must vanish exactly, instead of stages and limits. Of all weights that do it those come first that the
         default stages and what decides among equals put first.
         """
-        return self._list("cancel")  # type: ignore[no-any-return]
+        return self._as("cancel", every(row(Load, one)), [])  # type: ignore[no-any-return]
 
     @property
     def durability(self) -> DurabilityWish | None:
@@ -1031,11 +1180,11 @@ class BalanceTask(Record):
         return self._of("durability", DurabilityWish)  # type: ignore[no-any-return]
 
     @property
-    def give_up(self) -> list[Literal['nothing'] | dict[str, Any]]:
+    def give_up(self) -> Records[GiveUp]:
         """How far later stages may raise each stage above its least value, in the order of the stages (of the default ones where
         none are named); a stage without an entry gives up nothing.
         """
-        return self._list("give_up")  # type: ignore[no-any-return]
+        return self._all("give_up", GiveUp)
 
     @property
     def inertias(self) -> Records[FreeInertia]:
@@ -1149,6 +1298,75 @@ class BeamLoads(Record):
         force is constant and the bending moment runs straight, so that extremes along the shaft lie here.
         """
         return self._all("stations", Station)
+
+
+class BearingCycle(Record):
+    """A bearing over the cycle."""
+
+    __slots__ = ()
+    _FIELDS = ("clearance", "film", "kind", "largest_eccentricity", "largest_load", "largest_load_angle", "law", "load", "mean_load", "number", "orbit", "z",)
+
+    @property
+    def clearance(self) -> float | None:
+        """Radial clearance [m], where it has one."""
+        return self._get("clearance")  # type: ignore[no-any-return]
+
+    @property
+    def film(self) -> LeastFilm | None:
+        """The film where it is thinnest; of oil films alone."""
+        return self._of("film", LeastFilm)  # type: ignore[no-any-return]
+
+    @property
+    def kind(self) -> Literal['main', 'crankpin']:
+        """Main or big end."""
+        return self._get("kind")  # type: ignore[no-any-return]
+
+    @property
+    def largest_eccentricity(self) -> float:
+        """Largest distance of the centres [m]."""
+        return self._get("largest_eccentricity")  # type: ignore[no-any-return]
+
+    @property
+    def largest_load(self) -> float:
+        """Largest load over the recorded cycles [N]."""
+        return self._get("largest_load")  # type: ignore[no-any-return]
+
+    @property
+    def largest_load_angle(self) -> float:
+        """Crank angle there [rad]."""
+        return self._get("largest_load_angle")  # type: ignore[no-any-return]
+
+    @property
+    def law(self) -> str:
+        """Its law, with its numbers, in words."""
+        return self._get("law")  # type: ignore[no-any-return]
+
+    @property
+    def load(self) -> FloatArray:
+        """Load at every instant of the last cycle: journal or pin on the bearing, `x` and `y` of the block [N]."""
+        return self._array("load")  # type: ignore[no-any-return]
+
+    @property
+    def mean_load(self) -> float:
+        """Mean size of the load [N]."""
+        return self._get("mean_load")  # type: ignore[no-any-return]
+
+    @property
+    def number(self) -> int:
+        """Number of the main bearing on its crankshaft, or of the cylinder."""
+        return self._get("number")  # type: ignore[no-any-return]
+
+    @property
+    def orbit(self) -> FloatArray:
+        """Centre of journal or pin from that of the bearing at every instant of the recorded cycles [m], in the block's frame; of a big end in that of its rod, `x`
+        towards the piston.
+        """
+        return self._array("orbit")  # type: ignore[no-any-return]
+
+    @property
+    def z(self) -> float:
+        """Its plane [m]."""
+        return self._get("z")  # type: ignore[no-any-return]
 
 
 class BearingFilm(Record):
@@ -1495,6 +1713,137 @@ class BigEndClearance(Record):
         return self._get("swept_radius")  # type: ignore[no-any-return]
 
 
+class Bobweight(Record):
+    """The bobweight of one pin."""
+
+    __slots__ = ()
+    _FIELDS = ("mass", "oil", "pin", "reciprocating", "rods", "rotating", "throw",)
+
+    @property
+    def mass(self) -> float:
+        """The bobweight [kg]."""
+        return self._get("mass")  # type: ignore[no-any-return]
+
+    @property
+    def oil(self) -> float:
+        """Oil [kg]."""
+        return self._get("oil")  # type: ignore[no-any-return]
+
+    @property
+    def pin(self) -> str:
+        """Name of the pin."""
+        return self._get("pin")  # type: ignore[no-any-return]
+
+    @property
+    def reciprocating(self) -> float:
+        """Reciprocating mass of all rods [kg]."""
+        return self._get("reciprocating")  # type: ignore[no-any-return]
+
+    @property
+    def rods(self) -> int:
+        """Rods on the pin."""
+        return self._get("rods")  # type: ignore[no-any-return]
+
+    @property
+    def rotating(self) -> float:
+        """Rotating mass of the rods [kg], without the oil."""
+        return self._get("rotating")  # type: ignore[no-any-return]
+
+    @property
+    def throw(self) -> int | None:
+        """Number of its throw in the engine file."""
+        return self._get("throw")  # type: ignore[no-any-return]
+
+
+class BobweightAnswer(Result):
+    """A bobweight sheet worked out."""
+
+    __slots__ = ()
+    _FIELDS = ("bobweights", "choices", "comparison", "engine", "judged_by", "name", "pins", "reciprocating_share", "rotating_share", "share_given", "version",)
+
+    @property
+    def bobweights(self) -> Records[Bobweight]:
+        """The bobweights, pin by pin."""
+        return self._all("bobweights", Bobweight)
+
+    @property
+    def choices(self) -> Records[FactorChoice]:
+        """Shares worth looking at, the sheet's first."""
+        return self._all("choices", FactorChoice)
+
+    @property
+    def comparison(self) -> BobweightComparison | None:
+        """Comparison with the optimum, where the sheet names an engine."""
+        return self._of("comparison", BobweightComparison)  # type: ignore[no-any-return]
+
+    @property
+    def engine(self) -> str | None:
+        """Name of the engine."""
+        return self._get("engine")  # type: ignore[no-any-return]
+
+    @property
+    def judged_by(self) -> str | None:
+        """What the choices are judged by; `None` where nothing is known of the layout, or no share makes a difference."""
+        return self._get("judged_by")  # type: ignore[no-any-return]
+
+    @property
+    def name(self) -> str:
+        """Name of the sheet."""
+        return self._get("name")  # type: ignore[no-any-return]
+
+    @property
+    def pins(self) -> Records[PinParts]:
+        """The weighed parts of every pin."""
+        return self._all("pins", PinParts)
+
+    @property
+    def reciprocating_share(self) -> float:
+        """Share of the reciprocating masses."""
+        return self._get("reciprocating_share")  # type: ignore[no-any-return]
+
+    @property
+    def rotating_share(self) -> float:
+        """Share of the rotating masses."""
+        return self._get("rotating_share")  # type: ignore[no-any-return]
+
+    @property
+    def share_given(self) -> bool:
+        """Whether the sheet gives that share, or it was derived."""
+        return self._get("share_given")  # type: ignore[no-any-return]
+
+    @property
+    def version(self) -> int:
+        """Version of this structure."""
+        return self._get("version")  # type: ignore[no-any-return]
+
+
+class BobweightComparison(Record):
+    """The engine with the weighed parts, its crank balanced in different ways."""
+
+    __slots__ = ()
+    _FIELDS = ("couple_bound", "force_bound", "speed", "ways",)
+
+    @property
+    def couple_bound(self) -> float:
+        """Proved alike: none that reach that peak force have a smaller peak couple [N m]."""
+        return self._get("couple_bound")  # type: ignore[no-any-return]
+
+    @property
+    def force_bound(self) -> float:
+        """Proved for the optimum: no weights at the ends of the crank have a smaller peak force [N] than this."""
+        return self._get("force_bound")  # type: ignore[no-any-return]
+
+    @property
+    def speed(self) -> float:
+        """Speed [rad/s]."""
+        return self._get("speed")  # type: ignore[no-any-return]
+
+    @property
+    def ways(self) -> Records[ComparedBalance]:
+        """The ways; the last is the optimum."""
+        return self._all("ways", ComparedBalance)
+
+
 class BodyClearances(Record):
     """The clearances of a counterweight with its web, or of a web without counterweight."""
 
@@ -1534,11 +1883,70 @@ class BodyClearances(Record):
         return self._get("swept_radius")  # type: ignore[no-any-return]
 
 
+class BodyState(Record):
+    """What unbalance does to the crankshaft as a body."""
+
+    __slots__ = ()
+    _FIELDS = ("body", "couple", "kind", "offset", "quasi_static", "tilt", "tilt_direction",)
+
+    @property
+    def body(self) -> CrankBody:
+        """What is known of the body."""
+        return self._of("body", CrankBody)  # type: ignore[no-any-return]
+
+    @property
+    def couple(self) -> FloatArray:
+        """Couple unbalance about the mass centre [kg m^2]."""
+        return self._array("couple")  # type: ignore[no-any-return]
+
+    @property
+    def kind(self) -> Literal['balanced', 'static', 'couple', 'quasi-static', 'dynamic']:
+        """Its kind."""
+        return self._get("kind")  # type: ignore[no-any-return]
+
+    @property
+    def offset(self) -> FloatArray:
+        """Offset of the mass centre [m], in the frame of the crankshaft."""
+        return self._array("offset")  # type: ignore[no-any-return]
+
+    @property
+    def quasi_static(self) -> QuasiStatic | None:
+        """The nearest single unbalance; `None` without static unbalance."""
+        return self._of("quasi_static", QuasiStatic)  # type: ignore[no-any-return]
+
+    @property
+    def tilt(self) -> float:
+        """Tilt of the principal axis that is nearest the shaft [rad]."""
+        return self._get("tilt")  # type: ignore[no-any-return]
+
+    @property
+    def tilt_direction(self) -> float:
+        """Direction to which its flywheel end leans [rad], in the frame of the crankshaft."""
+        return self._get("tilt_direction")  # type: ignore[no-any-return]
+
+
+class BondEnergy(Record):
+    """Energy through one bond."""
+
+    __slots__ = ()
+    _FIELDS = ("bond", "energy",)
+
+    @property
+    def bond(self) -> str:
+        """The bond."""
+        return self._get("bond")  # type: ignore[no-any-return]
+
+    @property
+    def energy(self) -> float:
+        """Its energy [J]."""
+        return self._get("energy")  # type: ignore[no-any-return]
+
+
 class BondGraph(Result):
     """The bond graph of an engine: its file, its causality and its equations."""
 
     __slots__ = ()
-    _FIELDS = ("causality", "drawing", "engine", "equations", "graph", "latex", "modelica", "notes",)
+    _FIELDS = ("causality", "drawing", "engine", "equations", "graph", "latex", "modelica", "notes", "run",)
 
     @property
     def causality(self) -> str:
@@ -1579,6 +1987,11 @@ class BondGraph(Result):
     def notes(self) -> list[str]:
         """What the engine file does not say and was assumed."""
         return self._list("notes")  # type: ignore[no-any-return]
+
+    @property
+    def run(self) -> GraphRun | None:
+        """A run of the graph, where one is asked for."""
+        return self._of("run", GraphRun)  # type: ignore[no-any-return]
 
 
 class BoreSheet(Record):
@@ -1774,9 +2187,9 @@ class CancelledOrder(Record):
     _FIELDS = ("criterion", "least_alone", "left", "without",)
 
     @property
-    def criterion(self) -> Literal['added-mass', 'added-unbalance', 'cost'] | dict[str, Any]:
+    def criterion(self) -> Criterion:
         """One order of a load."""
-        return self._get("criterion")  # type: ignore[no-any-return]
+        return self._of("criterion", Criterion)  # type: ignore[no-any-return]
 
     @property
     def least_alone(self) -> float:
@@ -1863,6 +2276,28 @@ class CarriedWeight(Record):
     def z(self) -> float:
         """Its plane [m]."""
         return self._get("z")  # type: ignore[no-any-return]
+
+
+class Catalogue(Variant):
+    """Amounts of which a free weight has one, or none at all."""
+
+    __slots__ = ()
+    _FIELDS = ("kind", "steps", "amounts",)
+
+    @property
+    def kind(self) -> Literal['steps', 'amounts']:
+        """Which of the variants it is."""
+        return self._kind()  # type: ignore[no-any-return]
+
+    @property
+    def steps(self) -> float | None:
+        """Whole multiples of this [kg m]."""
+        return self._get("steps")  # type: ignore[no-any-return]
+
+    @property
+    def amounts(self) -> FloatArray:
+        """These [kg m], rising, all above 0."""
+        return self._array("amounts")  # type: ignore[no-any-return]
 
 
 class CatalogueHole(Record):
@@ -2353,6 +2788,28 @@ class Compared(Record):
         return self._get("with")  # type: ignore[no-any-return]
 
 
+class ComparedBalance(Record):
+    """Peaks over the cycle at the highest speed of the engine."""
+
+    __slots__ = ()
+    _FIELDS = ("couple", "force", "how",)
+
+    @property
+    def couple(self) -> float:
+        """Largest resultant couple [N m]."""
+        return self._get("couple")  # type: ignore[no-any-return]
+
+    @property
+    def force(self) -> float:
+        """Largest resultant force [N]."""
+        return self._get("force")  # type: ignore[no-any-return]
+
+    @property
+    def how(self) -> str:
+        """How the crank is balanced."""
+        return self._get("how")  # type: ignore[no-any-return]
+
+
 class ComparedTorque(Record):
     """Torque of gas and inertia at the speed of the comparison, and the flywheel for the lowest speed."""
 
@@ -2675,6 +3132,60 @@ class ConvergenceMesh(Record):
         return self._get("unknowns")  # type: ignore[no-any-return]
 
 
+class Correction(Result):
+    """What to do about the unbalance of a rotor."""
+
+    __slots__ = ()
+    _FIELDS = ("grade_after", "grade_now", "holds", "name", "next", "planes", "remarks", "runs", "version",)
+
+    @property
+    def grade_after(self) -> Grade | None:
+        """The same with the corrections made as told."""
+        return self._of("grade_after", Grade)  # type: ignore[no-any-return]
+
+    @property
+    def grade_now(self) -> Grade | None:
+        """The balance quality grade as the rotor is now, where mass, service speed, grade and the places of the planes
+        are given.
+        """
+        return self._of("grade_now", Grade)  # type: ignore[no-any-return]
+
+    @property
+    def holds(self) -> bool | None:
+        """Whether every limit that the sheet states holds now; `None` where none is stated or nothing measured."""
+        return self._get("holds")  # type: ignore[no-any-return]
+
+    @property
+    def name(self) -> str:
+        """Name of the sheet."""
+        return self._get("name")  # type: ignore[no-any-return]
+
+    @property
+    def next(self) -> NextStep:
+        """What to do next."""
+        return self._of("next", NextStep)  # type: ignore[no-any-return]
+
+    @property
+    def planes(self) -> Records[PlaneCorrection]:
+        """What to add or remove, plane by plane. Empty before any trial weight."""
+        return self._all("planes", PlaneCorrection)
+
+    @property
+    def remarks(self) -> Records[Remark]:
+        """Doubts."""
+        return self._all("remarks", Remark)
+
+    @property
+    def runs(self) -> RunFindings | None:
+        """What the runs say; `None` for a correction from a display."""
+        return self._of("runs", RunFindings)  # type: ignore[no-any-return]
+
+    @property
+    def version(self) -> int:
+        """Version of this structure."""
+        return self._get("version")  # type: ignore[no-any-return]
+
+
 class Cost(Record):
     """What a weight costs if it is used, in whatever unit the file counts: nothing where it is not."""
 
@@ -2886,6 +3397,33 @@ class Counts(Record):
         return self._get("judged")  # type: ignore[no-any-return]
 
 
+class CrankBody(Record):
+    """What is known of the crankshaft as a body, bobweights on."""
+
+    __slots__ = ()
+    _FIELDS = ("mass", "mass_centre", "polar_inertia", "transverse_inertia",)
+
+    @property
+    def mass(self) -> float:
+        """Mass with bobweights [kg]."""
+        return self._get("mass")  # type: ignore[no-any-return]
+
+    @property
+    def mass_centre(self) -> float:
+        """Place of its mass centre along the crank [m], from the origin."""
+        return self._get("mass_centre")  # type: ignore[no-any-return]
+
+    @property
+    def polar_inertia(self) -> float:
+        """Inertia about the crank axis [kg m^2]."""
+        return self._get("polar_inertia")  # type: ignore[no-any-return]
+
+    @property
+    def transverse_inertia(self) -> float:
+        """Inertia about a transverse axis through the mass centre [kg m^2]."""
+        return self._get("transverse_inertia")  # type: ignore[no-any-return]
+
+
 class CrankCase(Record):
     """A solved case of a crankshaft."""
 
@@ -2953,6 +3491,91 @@ class CrankChain(Record):
     def throws(self) -> list[int]:
         """Station of each throw."""
         return self._list("throws")  # type: ignore[no-any-return]
+
+
+class CrankCycle(Result):
+    """A crankshaft over the cycle by several laws of its bearings, side by side.
+
+    The crankshaft linear, elastic, in natural modes and static shapes; rods and pistons rigid; block at rest; all motion in planes across the crank.
+    """
+
+    __slots__ = ()
+    _FIELDS = ("coordinates", "fatigue", "frequencies", "gas", "motion", "notes", "options", "period", "ringing", "rules", "runs", "sheet", "speed", "stress_nodes", "version",)
+
+    @property
+    def coordinates(self) -> int:
+        """Coordinates of the crankshaft."""
+        return self._get("coordinates")  # type: ignore[no-any-return]
+
+    @property
+    def fatigue(self) -> FatigueMeasure | None:
+        """What judges fatigue; `None` where the file gives no strength."""
+        return self._of("fatigue", FatigueMeasure)  # type: ignore[no-any-return]
+
+    @property
+    def frequencies(self) -> FloatArray:
+        """Free natural frequencies of the modes that were kept [Hz]."""
+        return self._array("frequencies")  # type: ignore[no-any-return]
+
+    @property
+    def gas(self) -> str | None:
+        """Where the pressures come from, in words; `None`: no gas acts."""
+        return self._get("gas")  # type: ignore[no-any-return]
+
+    @property
+    def motion(self) -> Literal['constant', 'free']:
+        """How the flywheel turns."""
+        return self._get("motion")  # type: ignore[no-any-return]
+
+    @property
+    def notes(self) -> list[str]:
+        """What was assumed and left out."""
+        return self._list("notes")  # type: ignore[no-any-return]
+
+    @property
+    def options(self) -> CycleOptions:
+        """How the runs were made."""
+        return self._of("options", CycleOptions)  # type: ignore[no-any-return]
+
+    @property
+    def period(self) -> float:
+        """Period of crankshaft 1 [rad]."""
+        return self._get("period")  # type: ignore[no-any-return]
+
+    @property
+    def ringing(self) -> str | None:
+        """What keeps the largest values from being those of an engine, where something does."""
+        return self._get("ringing")  # type: ignore[no-any-return]
+
+    @property
+    def rules(self) -> MainRules | None:
+        """Main bearings of a rigid crankshaft by three rules; `None`: not comparable, a note says why."""
+        return self._of("rules", MainRules)  # type: ignore[no-any-return]
+
+    @property
+    def runs(self) -> Records[CycleRun]:
+        """One a law and kind of crankshaft."""
+        return self._all("runs", CycleRun)
+
+    @property
+    def sheet(self) -> CrankSheet:
+        """What was meshed."""
+        return self._of("sheet", CrankSheet)  # type: ignore[no-any-return]
+
+    @property
+    def speed(self) -> float:
+        """Mean speed of crankshaft 1 [rad/s]."""
+        return self._get("speed")  # type: ignore[no-any-return]
+
+    @property
+    def stress_nodes(self) -> int:
+        """Nodes of fillets at which stress is known."""
+        return self._get("stress_nodes")  # type: ignore[no-any-return]
+
+    @property
+    def version(self) -> int:
+        """Version of this structure."""
+        return self._get("version")  # type: ignore[no-any-return]
 
 
 class CrankFatigue(Result):
@@ -3283,6 +3906,63 @@ class CrankUnbalance(Record):
         return self._of("unbalance", Point)  # type: ignore[no-any-return]
 
 
+class CrankWithBobweights(Result):
+    """Unbalance of one crankshaft with bobweights."""
+
+    __slots__ = ()
+    _FIELDS = ("body", "counterweights", "couple_unbalance", "crankshaft", "engine", "planes", "rotation", "static_unbalance", "throws", "version",)
+
+    @property
+    def body(self) -> BodyState | None:
+        """As a body, where that is known."""
+        return self._of("body", BodyState)  # type: ignore[no-any-return]
+
+    @property
+    def counterweights(self) -> Records[PlaneUnbalance]:
+        """Counterweights of the file."""
+        return self._all("counterweights", PlaneUnbalance)
+
+    @property
+    def couple_unbalance(self) -> FloatArray:
+        """Couple unbalance about the origin [kg m^2]."""
+        return self._array("couple_unbalance")  # type: ignore[no-any-return]
+
+    @property
+    def crankshaft(self) -> str:
+        """Name of the crankshaft."""
+        return self._get("crankshaft")  # type: ignore[no-any-return]
+
+    @property
+    def engine(self) -> str:
+        """Name of the engine."""
+        return self._get("engine")  # type: ignore[no-any-return]
+
+    @property
+    def planes(self) -> Records[PlaneUnbalance]:
+        """Dynamic unbalance: as two, in the planes asked for."""
+        return self._all("planes", PlaneUnbalance)
+
+    @property
+    def rotation(self) -> Literal['clockwise', 'reverse']:
+        """Sense of rotation, for pictures."""
+        return self._get("rotation")  # type: ignore[no-any-return]
+
+    @property
+    def static_unbalance(self) -> FloatArray:
+        """Static unbalance [kg m]."""
+        return self._array("static_unbalance")  # type: ignore[no-any-return]
+
+    @property
+    def throws(self) -> Records[PlaneUnbalance]:
+        """Throws and bobweights."""
+        return self._all("throws", PlaneUnbalance)
+
+    @property
+    def version(self) -> int:
+        """Version of this structure."""
+        return self._get("version")  # type: ignore[no-any-return]
+
+
 class CrankshaftBody(Record):
     """A crankshaft as a body. Frame: `crankshaft`."""
 
@@ -3406,6 +4086,47 @@ class CrankshaftSection(Record):
     def unbalance(self) -> Point:
         """Static unbalance `U` [kg m]."""
         return self._of("unbalance", Point)  # type: ignore[no-any-return]
+
+
+class Criterion(Variant):
+    """What is judged."""
+
+    __slots__ = ()
+    _FIELDS = ("kind", "peak", "order", "main_rms", "main_mean", "mains_with_gas",)
+
+    @property
+    def kind(self) -> Literal['peak', 'order', 'main-rms', 'main-mean', 'mains-with-gas', 'added-mass', 'added-unbalance', 'cost']:
+        """Which of the variants it is.
+        `added-mass`: Mass of all free weights [kg]: every one needs its radius.
+        `added-unbalance`: Sum of the amounts of all free weights [kg m].
+        `cost`: Cost of all free weights and shafts that are used (`Cost`, `shaft_costs`), in the unit of the file.
+        """
+        return self._kind()  # type: ignore[no-any-return]
+
+    @property
+    def peak(self) -> Load | None:
+        """Peak of a load over the continuous cycle, at the highest speed of the engine."""
+        return self._of("peak", Load)  # type: ignore[no-any-return]
+
+    @property
+    def order(self) -> tuple[Load, float] | None:
+        """Peak of one order of a load (both senses together)."""
+        return self._as("order", row(Load, one), None)  # type: ignore[no-any-return]
+
+    @property
+    def main_rms(self) -> Mains | None:
+        """Root mean square of main-bearing loads of inertia over the continuous cycle [N], at the highest speed."""
+        return self._of("main-rms", Mains)  # type: ignore[no-any-return]
+
+    @property
+    def main_mean(self) -> Mains | None:
+        """Mean of the amount of main-bearing loads of inertia over equal angles of the cycle [N], at the highest speed."""
+        return self._of("main-mean", Mains)  # type: ignore[no-any-return]
+
+    @property
+    def mains_with_gas(self) -> tuple[Literal['rms', 'mean', 'peak'], Mains] | None:
+        """Main-bearing loads of inertia and gas [N], the largest over the range of speeds, or over the speeds of the task."""
+        return self._as("mains-with-gas", row(one, Mains), None)  # type: ignore[no-any-return]
 
 
 class Critical(Record):
@@ -3598,6 +4319,55 @@ class Curve(Record):
         return self._array("total")  # type: ignore[no-any-return]
 
 
+class CycleOptions(Record):
+    """How a train is run."""
+
+    __slots__ = ()
+    _FIELDS = ("most_cycles", "orbit_change", "samples", "stress_change", "tolerance",)
+
+    @property
+    def most_cycles(self) -> int:
+        """Most cycles."""
+        return self._get("most_cycles")  # type: ignore[no-any-return]
+
+    @property
+    def orbit_change(self) -> float:
+        """Change of the orbits from cycle to cycle over the clearance that counts as none."""
+        return self._get("orbit_change")  # type: ignore[no-any-return]
+
+    @property
+    def samples(self) -> int:
+        """Instants of a period, a multiple of 8."""
+        return self._get("samples")  # type: ignore[no-any-return]
+
+    @property
+    def stress_change(self) -> float:
+        """Change of loads and deformation over their largest that counts as none."""
+        return self._get("stress_change")  # type: ignore[no-any-return]
+
+    @property
+    def tolerance(self) -> float:
+        """Tolerance of a step: of eccentricities over the clearance, of deformations over those under the largest force."""
+        return self._get("tolerance")  # type: ignore[no-any-return]
+
+
+class CycleOutcome(Record):
+    """How the cycles ended."""
+
+    __slots__ = ()
+    _FIELDS = ("kind", "theta",)
+
+    @property
+    def kind(self) -> Literal['periodic', 'not_periodic', 'broken', 'stopped']:
+        """Which of the variants it is."""
+        return self._get("kind")  # type: ignore[no-any-return]
+
+    @property
+    def theta(self) -> float | None:
+        """Angle of crankshaft 1 [rad], from the first cycle on."""
+        return self._get("theta")  # type: ignore[no-any-return]
+
+
 class CycleResult(Record):
     """What a computed cycle gives in one chamber."""
 
@@ -3688,6 +4458,108 @@ class CycleResult(Record):
     def work(self) -> float:
         """Net indicated work of a cycle [J]."""
         return self._get("work")  # type: ignore[no-any-return]
+
+
+class CycleRun(Record):
+    """One law over the cycle."""
+
+    __slots__ = ()
+    _FIELDS = ("bearings", "crank", "cycles", "energy", "energy_error", "fatigue", "fillets", "free_speed", "iterations", "law", "orbit_change", "outcome", "recorded", "rejected", "speed", "steps", "stress_change", "theta", "torque",)
+
+    @property
+    def bearings(self) -> Records[BearingCycle]:
+        """Main bearings, then big ends."""
+        return self._all("bearings", BearingCycle)
+
+    @property
+    def crank(self) -> Literal['flexible', 'rigid']:
+        """Whether the crankshaft yields."""
+        return self._get("crank")  # type: ignore[no-any-return]
+
+    @property
+    def cycles(self) -> int:
+        """Cycles that were run."""
+        return self._get("cycles")  # type: ignore[no-any-return]
+
+    @property
+    def energy(self) -> EnergyBalance:
+        """Energies of the recorded cycle; of several the one with the largest error."""
+        return self._of("energy", EnergyBalance)  # type: ignore[no-any-return]
+
+    @property
+    def energy_error(self) -> float:
+        """Missing energy over the turnover."""
+        return self._get("energy_error")  # type: ignore[no-any-return]
+
+    @property
+    def fatigue(self) -> Records[FilletFatigue]:
+        """Safety of the same fillets against fatigue over the recorded cycles. Empty where no strength is known."""
+        return self._all("fatigue", FilletFatigue)
+
+    @property
+    def fillets(self) -> Records[FilletCycle]:
+        """Fillets along z; of several recorded cycles peaks and curves are those of the envelope. Empty: a rigid crankshaft, or only sharp corners."""
+        return self._all("fillets", FilletCycle)
+
+    @property
+    def free_speed(self) -> FreeSpeed | None:
+        """For a free speed: the load, and the change of the speed over the last cycle; `None` before there is one."""
+        return self._of("free_speed", FreeSpeed)  # type: ignore[no-any-return]
+
+    @property
+    def iterations(self) -> int:
+        """Newton iterations."""
+        return self._get("iterations")  # type: ignore[no-any-return]
+
+    @property
+    def law(self) -> Literal['rigid', 'contact', 'bushing', 'film', 'file']:
+        """The law."""
+        return self._get("law")  # type: ignore[no-any-return]
+
+    @property
+    def orbit_change(self) -> float | None:
+        """Change of the orbits in the last cycle over the clearance; `None` before two cycles."""
+        return self._get("orbit_change")  # type: ignore[no-any-return]
+
+    @property
+    def outcome(self) -> CycleOutcome:
+        """How the cycles ended."""
+        return self._of("outcome", CycleOutcome)  # type: ignore[no-any-return]
+
+    @property
+    def recorded(self) -> int:
+        """Cycles behind the peaks and envelopes below: one where they repeat, five where they do not."""
+        return self._get("recorded")  # type: ignore[no-any-return]
+
+    @property
+    def rejected(self) -> int:
+        """Steps that were tried again shorter."""
+        return self._get("rejected")  # type: ignore[no-any-return]
+
+    @property
+    def speed(self) -> FloatArray:
+        """Speed of crankshaft 1 there [rad/s]."""
+        return self._array("speed")  # type: ignore[no-any-return]
+
+    @property
+    def steps(self) -> int:
+        """Steps of all cycles."""
+        return self._get("steps")  # type: ignore[no-any-return]
+
+    @property
+    def stress_change(self) -> float | None:
+        """Change of loads and deformation in the last cycle over their largest."""
+        return self._get("stress_change")  # type: ignore[no-any-return]
+
+    @property
+    def theta(self) -> FloatArray:
+        """Crank angle of crankshaft 1 at every instant of the last recorded cycle [rad]."""
+        return self._array("theta")  # type: ignore[no-any-return]
+
+    @property
+    def torque(self) -> FloatArray:
+        """Torque of the flywheel on the crankshaft there [N m], of its own sense."""
+        return self._array("torque")  # type: ignore[no-any-return]
 
 
 class CycleTrace(Record):
@@ -3921,6 +4793,48 @@ class CylinderMotion(Record):
     def trace(self) -> MotionTrace:
         """Its motion over the period of the loads."""
         return self._of("trace", MotionTrace)  # type: ignore[no-any-return]
+
+
+class CylinderParts(Record):
+    """The weighed parts of one cylinder [kg]."""
+
+    __slots__ = ()
+    _FIELDS = ("bearing", "big_end", "locks", "piston", "piston_pin", "rings", "small_end",)
+
+    @property
+    def bearing(self) -> float:
+        """Both shells of the big-end bearing, if they were not weighed with the big end."""
+        return self._get("bearing")  # type: ignore[no-any-return]
+
+    @property
+    def big_end(self) -> float:
+        """Big end of the rod."""
+        return self._get("big_end")  # type: ignore[no-any-return]
+
+    @property
+    def locks(self) -> float:
+        """All locks or clips of the piston pin."""
+        return self._get("locks")  # type: ignore[no-any-return]
+
+    @property
+    def piston(self) -> float:
+        """Piston alone."""
+        return self._get("piston")  # type: ignore[no-any-return]
+
+    @property
+    def piston_pin(self) -> float:
+        """Piston pin."""
+        return self._get("piston_pin")  # type: ignore[no-any-return]
+
+    @property
+    def rings(self) -> float:
+        """All rings of the piston."""
+        return self._get("rings")  # type: ignore[no-any-return]
+
+    @property
+    def small_end(self) -> float:
+        """Small end of the rod."""
+        return self._get("small_end")  # type: ignore[no-any-return]
 
 
 class CylinderReactions(Record):
@@ -4218,6 +5132,28 @@ class DesignLimits(Record):
         return self._get("swept_radius")  # type: ignore[no-any-return]
 
 
+class DesignOutcome(Variant):
+    """How the search ended."""
+
+    __slots__ = ()
+    _FIELDS = ("kind", "found", "infeasible",)
+
+    @property
+    def kind(self) -> Literal['found', 'infeasible']:
+        """Which of the variants it is."""
+        return self._kind()  # type: ignore[no-any-return]
+
+    @property
+    def found(self) -> Optimum | None:
+        """A design that meets everything."""
+        return self._of("found", Optimum)  # type: ignore[no-any-return]
+
+    @property
+    def infeasible(self) -> Infeasible | None:
+        """No shape of the ranges meets all limits."""
+        return self._of("infeasible", Infeasible)  # type: ignore[no-any-return]
+
+
 class DesignSettings(Record):
     """How far the proof of a best shape goes: branch and bound over boxes of shapes.
 
@@ -4270,11 +5206,11 @@ class DesignedCounterweight(Record):
         return self._get("name")  # type: ignore[no-any-return]
 
     @property
-    def outcome(self) -> dict[str, Any]:
+    def outcome(self) -> DesignOutcome:
         """What was found: mass, unbalance and inertia are what the counterweight adds to the crankshaft beyond the web as it is. The proof is about
         all shapes that share as much with the flank of the web.
         """
-        return self._get("outcome")  # type: ignore[no-any-return]
+        return self._of("outcome", DesignOutcome)  # type: ignore[no-any-return]
 
     @property
     def part_mass(self) -> float | None:
@@ -4340,6 +5276,37 @@ class Diagnosis(Record):
         return self._get("summary")  # type: ignore[no-any-return]
 
 
+class Distribution(Variant):
+    """How a quantity is distributed within its tolerance; its mean is the nominal value."""
+
+    __slots__ = ()
+    _FIELDS = ("kind", "normal",)
+
+    @property
+    def kind(self) -> Literal['normal', 'uniform']:
+        """Which of the variants it is.
+        `uniform`: Anywhere with the same probability.
+        """
+        return self._kind()  # type: ignore[no-any-return]
+
+    @property
+    def normal(self) -> DistributionNormal | None:
+        """Normal, cut off at the tolerance, which is so many standard deviations (of the uncut distribution)."""
+        return self._of("normal", DistributionNormal)  # type: ignore[no-any-return]
+
+
+class DistributionNormal(Record):
+    """Normal, cut off at the tolerance, which is so many standard deviations (of the uncut distribution)."""
+
+    __slots__ = ()
+    _FIELDS = ("sigmas",)
+
+    @property
+    def sigmas(self) -> float:
+        """Half width of the tolerance over the standard deviation; 3 where nothing else is known."""
+        return self._get("sigmas")  # type: ignore[no-any-return]
+
+
 class DrillCatalogue(Record):
     """Holes of which a free weight is one: it is what the hole removes, opposite to it, or what a slug in it adds."""
 
@@ -4390,6 +5357,87 @@ class DrillCatalogue(Record):
     def surface(self) -> Literal['round', 'flat']:
         """Shape of the surface where a radial hole begins; an axial hole begins on a flat face."""
         return self._get("surface")  # type: ignore[no-any-return]
+
+
+class DrilledPlane(Record):
+    """Holes of one plane."""
+
+    __slots__ = ()
+    _FIELDS = ("complete", "holes", "kept", "left", "plane", "tolerance", "wanted",)
+
+    @property
+    def complete(self) -> bool:
+        """Whether every set of holes was looked at; if not, a better one may exist."""
+        return self._get("complete")  # type: ignore[no-any-return]
+
+    @property
+    def holes(self) -> Records[Hole]:
+        """The holes, by angle."""
+        return self._all("holes", Hole)
+
+    @property
+    def kept(self) -> bool:
+        """Whether no more than that is left."""
+        return self._get("kept")  # type: ignore[no-any-return]
+
+    @property
+    def left(self) -> FloatArray:
+        """What they leave to remove [kg m]."""
+        return self._array("left")  # type: ignore[no-any-return]
+
+    @property
+    def plane(self) -> str:
+        """Name of the plane."""
+        return self._get("plane")  # type: ignore[no-any-return]
+
+    @property
+    def tolerance(self) -> float:
+        """What may be left [kg m]: the plane's share of the grade; without one, what a step of depth makes."""
+        return self._get("tolerance")  # type: ignore[no-any-return]
+
+    @property
+    def wanted(self) -> FloatArray:
+        """Unbalance to remove [kg m]: its argument is the angle on the rotor."""
+        return self._array("wanted")  # type: ignore[no-any-return]
+
+
+class Drilling(Result):
+    """Holes for the correction of a sheet."""
+
+    __slots__ = ()
+    _FIELDS = ("correction", "grade_after", "holds", "name", "planes", "version",)
+
+    @property
+    def correction(self) -> Correction:
+        """The correction that the holes are for."""
+        return self._of("correction", Correction)  # type: ignore[no-any-return]
+
+    @property
+    def grade_after(self) -> Grade | None:
+        """The balance quality grade with these holes, and with the weights of the other planes as told."""
+        return self._of("grade_after", Grade)  # type: ignore[no-any-return]
+
+    @property
+    def holds(self) -> bool:
+        """Whether the grade is kept with these holes; without a grade, whether every plane comes as near to what is wanted as
+        its steps of depth allow.
+        """
+        return self._get("holds")  # type: ignore[no-any-return]
+
+    @property
+    def name(self) -> str:
+        """Name of the sheet."""
+        return self._get("name")  # type: ignore[no-any-return]
+
+    @property
+    def planes(self) -> Records[DrilledPlane]:
+        """Holes of every plane that is drilled."""
+        return self._all("planes", DrilledPlane)
+
+    @property
+    def version(self) -> int:
+        """Version of this structure."""
+        return self._get("version")  # type: ignore[no-any-return]
 
 
 class DriveLink(Record):
@@ -4453,6 +5501,38 @@ class DrivelineBody(Record):
         return self._get("ratio")  # type: ignore[no-any-return]
 
 
+class DurabilityCriterion(Variant):
+    """A number of which more is better: the smallest over the cycle, the parts and the speeds that count."""
+
+    __slots__ = ()
+    _FIELDS = ("kind", "main_film", "crankpin_film", "rule_safety",)
+
+    @property
+    def kind(self) -> Literal['least-film', 'main-film', 'crankpin-film', 'rule-safety', 'fillet-safety']:
+        """Which of the variants it is.
+        `least-film`: Smallest oil film of all main and big-end bearings [m].
+        `fillet-safety`: Smallest safety against fatigue of the fillets of crankshaft 1 by finite elements [1].
+        """
+        return self._kind()  # type: ignore[no-any-return]
+
+    @property
+    def main_film(self) -> int | None:
+        """Smallest oil film of one main bearing, by index as in `main_bearings`, or of all [m]."""
+        return self._get("main-film")  # type: ignore[no-any-return]
+
+    @property
+    def crankpin_film(self) -> int | None:
+        """Smallest oil film of the big-end bearing of one cylinder, by index, or of all [m]."""
+        return self._get("crankpin-film")  # type: ignore[no-any-return]
+
+    @property
+    def rule_safety(self) -> int | None:
+        """Smallest safety by the formulas after IACS UR M53 of one throw, by index, or of all [1]. Forces of pistons and rods count, what turns with the
+        crankshaft does not: counterweights do not change it.
+        """
+        return self._get("rule-safety")  # type: ignore[no-any-return]
+
+
 class DurabilityWish(Record):
     """Films and safeties that balancing is to care for."""
 
@@ -4465,9 +5545,9 @@ class DurabilityWish(Record):
         return self._all("at_least", AtLeast)
 
     @property
-    def maximise(self) -> list[Literal['least-film', 'fillet-safety'] | dict[str, Any]]:
+    def maximise(self) -> Records[DurabilityCriterion]:
         """What is to be large, in order of priority."""
-        return self._list("maximise")  # type: ignore[no-any-return]
+        return self._all("maximise", DurabilityCriterion)
 
 
 class Durable(Record):
@@ -4551,9 +5631,9 @@ class DurableLimit(Record):
     _FIELDS = ("criterion", "is_met", "least", "name", "unit", "value",)
 
     @property
-    def criterion(self) -> Literal['least-film', 'fillet-safety'] | dict[str, Any]:
+    def criterion(self) -> DurabilityCriterion:
         """Which."""
-        return self._get("criterion")  # type: ignore[no-any-return]
+        return self._of("criterion", DurabilityCriterion)  # type: ignore[no-any-return]
 
     @property
     def is_met(self) -> bool | None:
@@ -4598,9 +5678,9 @@ class DurableRow(Record):
         return self._of("before", Measured)  # type: ignore[no-any-return]
 
     @property
-    def criterion(self) -> Literal['least-film', 'fillet-safety'] | dict[str, Any]:
+    def criterion(self) -> DurabilityCriterion:
         """Which."""
-        return self._get("criterion")  # type: ignore[no-any-return]
+        return self._of("criterion", DurabilityCriterion)  # type: ignore[no-any-return]
 
     @property
     def name(self) -> str:
@@ -4662,9 +5742,9 @@ class Effect(Record):
         return self._get("before")  # type: ignore[no-any-return]
 
     @property
-    def criterion(self) -> Literal['added-mass', 'added-unbalance', 'cost'] | dict[str, Any]:
+    def criterion(self) -> Criterion:
         """Which."""
-        return self._get("criterion")  # type: ignore[no-any-return]
+        return self._of("criterion", Criterion)  # type: ignore[no-any-return]
 
     @property
     def without(self) -> float:
@@ -4694,6 +5774,43 @@ class Effect2(Record):
         return self._of("slope", Slope)  # type: ignore[no-any-return]
 
 
+class ElementEnergy(Record):
+    """Energy of one element."""
+
+    __slots__ = ()
+    _FIELDS = ("element", "error", "held", "kind", "taken", "taken_by_events",)
+
+    @property
+    def element(self) -> str:
+        """The element."""
+        return self._get("element")  # type: ignore[no-any-return]
+
+    @property
+    def error(self) -> float | None:
+        """What it took in less what it holds more and what events took, against the throughput."""
+        return self._get("error")  # type: ignore[no-any-return]
+
+    @property
+    def held(self) -> float | None:
+        """Change of what it holds by its law [J], where that gives an energy; also of a store that follows others."""
+        return self._get("held")  # type: ignore[no-any-return]
+
+    @property
+    def kind(self) -> Literal['Se', 'Sf', 'R', 'C', 'I', 'IC', 'Gas', 'TF', 'GY', 'Zero', 'One']:
+        """Its kind."""
+        return self._get("kind")  # type: ignore[no-any-return]
+
+    @property
+    def taken(self) -> float:
+        """What it took in [J]."""
+        return self._get("taken")  # type: ignore[no-any-return]
+
+    @property
+    def taken_by_events(self) -> float | None:
+        """What events took out of it by setting what it holds [J]; absent where none did."""
+        return self._get("taken_by_events")  # type: ignore[no-any-return]
+
+
 class ElementWeb(Record):
     """A web by finite elements."""
 
@@ -4714,6 +5831,48 @@ class ElementWeb(Record):
     def pin_fillet(self) -> FilletSheet:
         """The pin's fillet."""
         return self._of("pin_fillet", FilletSheet)  # type: ignore[no-any-return]
+
+
+class EnergyBalance(Record):
+    """Work and energy over the recorded cycle [J]."""
+
+    __slots__ = ()
+    _FIELDS = ("bearings", "change", "damping", "drive", "gas", "missing", "turnover",)
+
+    @property
+    def bearings(self) -> float:
+        """Taken by the bearings, their springs' energy included."""
+        return self._get("bearings")  # type: ignore[no-any-return]
+
+    @property
+    def change(self) -> float:
+        """Change of kinetic and elastic energy."""
+        return self._get("change")  # type: ignore[no-any-return]
+
+    @property
+    def damping(self) -> float:
+        """Lost in the material's damping."""
+        return self._get("damping")  # type: ignore[no-any-return]
+
+    @property
+    def drive(self) -> float:
+        """Work of the flywheel on the crankshaft."""
+        return self._get("drive")  # type: ignore[no-any-return]
+
+    @property
+    def gas(self) -> float:
+        """Work of the gas."""
+        return self._get("gas")  # type: ignore[no-any-return]
+
+    @property
+    def missing(self) -> float:
+        """What is missing: gas + drive - damping - bearings - change."""
+        return self._get("missing")  # type: ignore[no-any-return]
+
+    @property
+    def turnover(self) -> float:
+        """Sum of the sizes of all powers over time, by which `missing` is judged."""
+        return self._get("turnover")  # type: ignore[no-any-return]
 
 
 class EnergyLedger(Record):
@@ -5013,9 +6172,9 @@ class Exploration(Result):
         return self._all("done", Run)
 
     @property
-    def durability(self) -> list[Literal['least-film', 'fillet-safety'] | dict[str, Any]]:
+    def durability(self) -> Records[DurabilityCriterion]:
         """Films and safeties that are told of the layouts found."""
-        return self._list("durability")  # type: ignore[no-any-return]
+        return self._all("durability", DurabilityCriterion)
 
     @property
     def engine(self) -> str:
@@ -5066,6 +6225,53 @@ class Exploration(Result):
     def version(self) -> int:
         """Version of this structure."""
         return self._get("version")  # type: ignore[no-any-return]
+
+
+class ExternalBalance(Result):
+    """Weights that flywheel and damper must carry."""
+
+    __slots__ = ()
+    _FIELDS = ("couple_unbalance", "crankshaft", "engine", "kept_share", "masses", "static_unbalance", "version", "weights",)
+
+    @property
+    def couple_unbalance(self) -> FloatArray:
+        """Couple unbalance about the origin [kg m^2]."""
+        return self._array("couple_unbalance")  # type: ignore[no-any-return]
+
+    @property
+    def crankshaft(self) -> str:
+        """Name of the crankshaft."""
+        return self._get("crankshaft")  # type: ignore[no-any-return]
+
+    @property
+    def engine(self) -> str:
+        """Name of the engine."""
+        return self._get("engine")  # type: ignore[no-any-return]
+
+    @property
+    def kept_share(self) -> float:
+        """Share of every counterweight inside that stays."""
+        return self._get("kept_share")  # type: ignore[no-any-return]
+
+    @property
+    def masses(self) -> list[RadiusAndMass | None]:
+        """Distance of each weight's centre of gravity from the axis [m], and its mass [kg] there, where the distance is given."""
+        return self._as("masses", every(optionally(RadiusAndMass)), [])  # type: ignore[no-any-return]
+
+    @property
+    def static_unbalance(self) -> FloatArray:
+        """Static unbalance of the crank with its bobweights, without weights outside [kg m]."""
+        return self._array("static_unbalance")  # type: ignore[no-any-return]
+
+    @property
+    def version(self) -> int:
+        """Version of this structure."""
+        return self._get("version")  # type: ignore[no-any-return]
+
+    @property
+    def weights(self) -> Records[PlaneUnbalance]:
+        """The weights outside that bring both to 0."""
+        return self._all("weights", PlaneUnbalance)
 
 
 class Extrapolated(Record):
@@ -5206,6 +6412,33 @@ class FactorAnswer(Result):
         return self._get("version")  # type: ignore[no-any-return]
 
 
+class FactorChoice(Record):
+    """A share of the reciprocating masses and what it leaves of the first order."""
+
+    __slots__ = ()
+    _FIELDS = ("backward", "forward", "share", "why",)
+
+    @property
+    def backward(self) -> float:
+        """Part that turns against it, alike."""
+        return self._get("backward")  # type: ignore[no-any-return]
+
+    @property
+    def forward(self) -> float:
+        """Part that turns with the crank, over that which the reciprocating masses have on all pins."""
+        return self._get("forward")  # type: ignore[no-any-return]
+
+    @property
+    def share(self) -> float:
+        """The share."""
+        return self._get("share")  # type: ignore[no-any-return]
+
+    @property
+    def why(self) -> str:
+        """Why it is looked at."""
+        return self._get("why")  # type: ignore[no-any-return]
+
+
 class FactorEffect(Record):
     """What a common factor does to the first order of a force [kg m] or couple [kg m^2], over `w^2`."""
 
@@ -5336,6 +6569,80 @@ class FatigueFactors(Record):
     def surface(self) -> float:
         """Finish of the surface."""
         return self._get("surface")  # type: ignore[no-any-return]
+
+
+class FatigueMeasure(Record):
+    """Findley's criterion for a material, with what it was made of."""
+
+    __slots__ = ()
+    _FIELDS = ("bending_limit", "factors", "findley", "torsion_limit",)
+
+    @property
+    def bending_limit(self) -> Sourced:
+        """Fatigue limit in alternating bending [Pa]."""
+        return self._of("bending_limit", Sourced)  # type: ignore[no-any-return]
+
+    @property
+    def factors(self) -> FatigueFactors:
+        """Factors on the limits."""
+        return self._of("factors", FatigueFactors)  # type: ignore[no-any-return]
+
+    @property
+    def findley(self) -> Findley:
+        """The criterion with these limits and factors."""
+        return self._of("findley", Findley)  # type: ignore[no-any-return]
+
+    @property
+    def torsion_limit(self) -> Sourced:
+        """Fatigue limit in alternating torsion [Pa]."""
+        return self._of("torsion_limit", Sourced)  # type: ignore[no-any-return]
+
+
+class FilletCycle(Record):
+    """The largest stress of a fillet over the cycle."""
+
+    __slots__ = ()
+    _FIELDS = ("angle", "at", "instant", "name", "over_cycle", "peak", "principal", "radius",)
+
+    @property
+    def angle(self) -> float:
+        """Angle about the bar's middle [rad]."""
+        return self._get("angle")  # type: ignore[no-any-return]
+
+    @property
+    def at(self) -> FloatArray:
+        """Place [m], in the frame of the crankshaft."""
+        return self._array("at")  # type: ignore[no-any-return]
+
+    @property
+    def instant(self) -> int:
+        """Index of the instant."""
+        return self._get("instant")  # type: ignore[no-any-return]
+
+    @property
+    def name(self) -> str:
+        """"pin 1 at web 2"."""
+        return self._get("name")  # type: ignore[no-any-return]
+
+    @property
+    def over_cycle(self) -> FloatArray:
+        """Largest von Mises stress of the fillet at every instant [Pa]."""
+        return self._array("over_cycle")  # type: ignore[no-any-return]
+
+    @property
+    def peak(self) -> float:
+        """Largest von Mises stress over cycle and fillet [Pa]."""
+        return self._get("peak")  # type: ignore[no-any-return]
+
+    @property
+    def principal(self) -> float:
+        """Principal stress of the largest size there and then [Pa], tension positive."""
+        return self._get("principal")  # type: ignore[no-any-return]
+
+    @property
+    def radius(self) -> float:
+        """Radius [m]."""
+        return self._get("radius")  # type: ignore[no-any-return]
 
 
 class FilletFatigue(Record):
@@ -5903,9 +7210,9 @@ class FoundLimit(Record):
     _FIELDS = ("criterion", "most", "price", "price_unit", "side", "stage", "unit", "value", "what",)
 
     @property
-    def criterion(self) -> Literal['added-mass', 'added-unbalance', 'cost'] | dict[str, Any] | None:
+    def criterion(self) -> Criterion | None:
         """Its criterion, if it is one."""
-        return self._get("criterion")  # type: ignore[no-any-return]
+        return self._of("criterion", Criterion)  # type: ignore[no-any-return]
 
     @property
     def most(self) -> float:
@@ -6011,9 +7318,9 @@ class FoundStage(Record):
         return self._array("term_weights")  # type: ignore[no-any-return]
 
     @property
-    def terms(self) -> list[list[Any]]:
+    def terms(self) -> list[tuple[Criterion, float]]:
         """Each term's criterion and true value."""
-        return self._list("terms")  # type: ignore[no-any-return]
+        return self._as("terms", every(row(Criterion, one)), [])  # type: ignore[no-any-return]
 
     @property
     def unit(self) -> str:
@@ -6124,14 +7431,31 @@ class FreeShaft(Record):
         return self._get("ratio")  # type: ignore[no-any-return]
 
     @property
-    def x(self) -> dict[str, Any]:
+    def x(self) -> Place:
         """Position of its axis [m]."""
-        return self._get("x")  # type: ignore[no-any-return]
+        return self._of("x", Place)  # type: ignore[no-any-return]
 
     @property
-    def y(self) -> dict[str, Any]:
+    def y(self) -> Place:
         """Position of its axis [m]."""
-        return self._get("y")  # type: ignore[no-any-return]
+        return self._of("y", Place)  # type: ignore[no-any-return]
+
+
+class FreeSpeed(Record):
+    """How a free flywheel turns."""
+
+    __slots__ = ()
+    _FIELDS = ("change", "load",)
+
+    @property
+    def change(self) -> float:
+        """Change of the speed over the last cycle over its swing."""
+        return self._get("change")  # type: ignore[no-any-return]
+
+    @property
+    def load(self) -> float:
+        """Constant torque of the load on the flywheel [N m], positive in the sense of crankshaft 1: an engine that drives has a negative one."""
+        return self._get("load")  # type: ignore[no-any-return]
 
 
 class FreeWeight(Record):
@@ -6141,9 +7465,9 @@ class FreeWeight(Record):
     _FIELDS = ("catalogue", "cost", "drill", "equal_parts", "fits", "least", "most", "name", "optional", "phase", "radius", "seat", "z",)
 
     @property
-    def catalogue(self) -> dict[str, Any] | None:
+    def catalogue(self) -> Catalogue | None:
         """Amounts that can be made, within `least` and `most`; none: every amount."""
-        return self._get("catalogue")  # type: ignore[no-any-return]
+        return self._of("catalogue", Catalogue)  # type: ignore[no-any-return]
 
     @property
     def cost(self) -> Cost:
@@ -6186,9 +7510,9 @@ class FreeWeight(Record):
         return self._get("optional")  # type: ignore[no-any-return]
 
     @property
-    def phase(self) -> Literal['free'] | dict[str, Any]:
+    def phase(self) -> Phase:
         """Direction at `theta = 0` in the engine's frame (crankshaft phase included)."""
-        return self._get("phase")  # type: ignore[no-any-return]
+        return self._of("phase", Phase)  # type: ignore[no-any-return]
 
     @property
     def radius(self) -> float | None:
@@ -6196,14 +7520,14 @@ class FreeWeight(Record):
         return self._get("radius")  # type: ignore[no-any-return]
 
     @property
-    def seat(self) -> dict[str, Any]:
+    def seat(self) -> Seat:
         """What it sits on."""
-        return self._get("seat")  # type: ignore[no-any-return]
+        return self._of("seat", Seat)  # type: ignore[no-any-return]
 
     @property
-    def z(self) -> dict[str, Any]:
+    def z(self) -> Place:
         """Plane [m], from the origin."""
-        return self._get("z")  # type: ignore[no-any-return]
+        return self._of("z", Place)  # type: ignore[no-any-return]
 
 
 class Functional(Record):
@@ -6224,11 +7548,11 @@ class Functional(Record):
     _FIELDS = ("charges", "largest_pull", "terms", "value",)
 
     @property
-    def charges(self) -> list[list[Any]]:
+    def charges(self) -> list[tuple[str, float]]:
         """What weights with a largest amount, and inertias, can do against it at most: name and amount, in the unit of the
         value.
         """
-        return self._list("charges")  # type: ignore[no-any-return]
+        return self._as("charges", every(row(one, one)), [])  # type: ignore[no-any-return]
 
     @property
     def largest_pull(self) -> float:
@@ -6260,9 +7584,9 @@ class FunctionalTerm(Record):
         return self._array("amount")  # type: ignore[no-any-return]
 
     @property
-    def criterion(self) -> Literal['added-mass', 'added-unbalance', 'cost'] | dict[str, Any]:
+    def criterion(self) -> Criterion:
         """One order of a load."""
-        return self._get("criterion")  # type: ignore[no-any-return]
+        return self._of("criterion", Criterion)  # type: ignore[no-any-return]
 
     @property
     def factor(self) -> FloatArray:
@@ -6297,9 +7621,9 @@ class Gear(Record):
         return self._get("ratio")  # type: ignore[no-any-return]
 
     @property
-    def seat(self) -> Literal['crank', 'idler'] | dict[str, Any]:
+    def seat(self) -> GearSeat:
         """What it sits on."""
-        return self._get("seat")  # type: ignore[no-any-return]
+        return self._of("seat", GearSeat)  # type: ignore[no-any-return]
 
     @property
     def x(self) -> float:
@@ -6310,6 +7634,50 @@ class Gear(Record):
     def y(self) -> float:
         """Position of its axis [m]."""
         return self._get("y")  # type: ignore[no-any-return]
+
+
+class GearSeat(Variant):
+    """What a gear sits on."""
+
+    __slots__ = ()
+    _FIELDS = ("kind", "shaft",)
+
+    @property
+    def kind(self) -> Literal['crank', 'shaft', 'idler']:
+        """Which of the variants it is.
+        `crank`: Crankshaft 1.
+        `idler`: Its own stud.
+        """
+        return self._kind()  # type: ignore[no-any-return]
+
+    @property
+    def shaft(self) -> int | None:
+        """A balance shaft, by index."""
+        return self._get("shaft")  # type: ignore[no-any-return]
+
+
+class GiveUp(Variant):
+    """How far later stages may raise a stage above its least value."""
+
+    __slots__ = ()
+    _FIELDS = ("kind", "share", "amount",)
+
+    @property
+    def kind(self) -> Literal['nothing', 'share', 'amount']:
+        """Which of the variants it is.
+        `nothing`: Not at all.
+        """
+        return self._kind()  # type: ignore[no-any-return]
+
+    @property
+    def share(self) -> float | None:
+        """By this share of the least value: 0.01 is 1 %."""
+        return self._get("share")  # type: ignore[no-any-return]
+
+    @property
+    def amount(self) -> float | None:
+        """By this much, in the SI unit of the stage's criterion."""
+        return self._get("amount")  # type: ignore[no-any-return]
 
 
 class GivenEngine(Record):
@@ -6349,6 +7717,313 @@ class GivenEngine(Record):
         return self._list("values")  # type: ignore[no-any-return]
 
 
+class Grade(Result):
+    """What a balance quality grade allows."""
+
+    __slots__ = ()
+    _FIELDS = ("bearings", "eccentricity", "grade", "kept", "mass", "name", "permissible", "planes", "resultant", "speed", "version",)
+
+    @property
+    def bearings(self) -> Records[GradedBearing]:
+        """The share of each bearing; empty where supports or centre of mass are not given."""
+        return self._all("bearings", GradedBearing)
+
+    @property
+    def eccentricity(self) -> float:
+        """Permissible residual specific unbalance, the eccentricity of the centre of mass [m]."""
+        return self._get("eccentricity")  # type: ignore[no-any-return]
+
+    @property
+    def grade(self) -> float:
+        """Permissible speed of the centre of mass [m/s]."""
+        return self._get("grade")  # type: ignore[no-any-return]
+
+    @property
+    def kept(self) -> bool | None:
+        """Whether the measured unbalance keeps the grade: at both bearings where they are known. Where they are not, a resultant beyond
+        U_per does not, one within it does if it is measured in one plane; several planes may have a couple that only bearings can judge.
+        `None` where nothing is measured, or that couple is not judged.
+        """
+        return self._get("kept")  # type: ignore[no-any-return]
+
+    @property
+    def mass(self) -> float:
+        """Mass of the rotor [kg]."""
+        return self._get("mass")  # type: ignore[no-any-return]
+
+    @property
+    def name(self) -> str:
+        """Name of the sheet."""
+        return self._get("name")  # type: ignore[no-any-return]
+
+    @property
+    def permissible(self) -> float:
+        """Permissible residual unbalance of the whole rotor, U_per [kg m]."""
+        return self._get("permissible")  # type: ignore[no-any-return]
+
+    @property
+    def planes(self) -> Records[GradedPlane]:
+        """The share of each correction plane whose place is given; empty without bearings."""
+        return self._all("planes", GradedPlane)
+
+    @property
+    def resultant(self) -> FloatArray | None:
+        """Resultant of the measured unbalances [kg m]; `None` where none are measured."""
+        return self._array("resultant")  # type: ignore[no-any-return]
+
+    @property
+    def speed(self) -> float:
+        """Service speed [rad/s]."""
+        return self._get("speed")  # type: ignore[no-any-return]
+
+    @property
+    def version(self) -> int:
+        """Version of this structure."""
+        return self._get("version")  # type: ignore[no-any-return]
+
+
+class GradedBearing(Record):
+    """What a bearing may carry."""
+
+    __slots__ = ()
+    _FIELDS = ("kept", "measured", "permissible", "z",)
+
+    @property
+    def kept(self) -> bool | None:
+        """Whether it is kept."""
+        return self._get("kept")  # type: ignore[no-any-return]
+
+    @property
+    def measured(self) -> FloatArray | None:
+        """The measured unbalances moved to both bearings: this bearing's part [kg m]."""
+        return self._array("measured")  # type: ignore[no-any-return]
+
+    @property
+    def permissible(self) -> float:
+        """Permissible residual unbalance in its plane [kg m]."""
+        return self._get("permissible")  # type: ignore[no-any-return]
+
+    @property
+    def z(self) -> float:
+        """Where along the shaft, z [m]."""
+        return self._get("z")  # type: ignore[no-any-return]
+
+
+class GradedPlane(Record):
+    """What may be left in a correction plane."""
+
+    __slots__ = ()
+    _FIELDS = ("kept", "measured", "name", "permissible", "z",)
+
+    @property
+    def kept(self) -> bool | None:
+        """Whether it is kept. Keeping all is enough, though more than is needed, for the bearings to keep theirs."""
+        return self._get("kept")  # type: ignore[no-any-return]
+
+    @property
+    def measured(self) -> FloatArray | None:
+        """The measured unbalances moved to the planes: this plane's part [kg m]. Only where there are one or two planes."""
+        return self._array("measured")  # type: ignore[no-any-return]
+
+    @property
+    def name(self) -> str:
+        """Name of the plane."""
+        return self._get("name")  # type: ignore[no-any-return]
+
+    @property
+    def permissible(self) -> float:
+        """With no more than this in every plane, at whatever angles, no bearing exceeds its share [kg m]."""
+        return self._get("permissible")  # type: ignore[no-any-return]
+
+    @property
+    def z(self) -> float:
+        """Where along the shaft, z [m]."""
+        return self._get("z")  # type: ignore[no-any-return]
+
+
+class GraphAudit(Record):
+    """Where the energy went."""
+
+    __slots__ = ()
+    _FIELDS = ("bonds", "elements", "measured_at", "residuals", "throughput", "whole",)
+
+    @property
+    def bonds(self) -> Records[BondEnergy]:
+        """Energy through each bond, along its half arrow [J]."""
+        return self._all("bonds", BondEnergy)
+
+    @property
+    def elements(self) -> Records[ElementEnergy]:
+        """Energy that each one-port took in [J]; of sources negative what they gave."""
+        return self._all("elements", ElementEnergy)
+
+    @property
+    def measured_at(self) -> str:
+        """That bond."""
+        return self._get("measured_at")  # type: ignore[no-any-return]
+
+    @property
+    def residuals(self) -> Records[Residual]:
+        """Largest difference of powers at each junction and two-port over all samples, against the largest power there."""
+        return self._all("residuals", Residual)
+
+    @property
+    def throughput(self) -> float:
+        """What the errors are measured by [J]: energy that passed through the bond which carried the most, to and fro between the samples."""
+        return self._get("throughput")  # type: ignore[no-any-return]
+
+    @property
+    def whole(self) -> float:
+        """Sum of what all one-ports took in, against the throughput: the error of the whole."""
+        return self._get("whole")  # type: ignore[no-any-return]
+
+
+class GraphEvent(Record):
+    """A condition that switched."""
+
+    __slots__ = ()
+    _FIELDS = ("condition", "expression", "on", "time",)
+
+    @property
+    def condition(self) -> int:
+        """Which condition, by its place among those of the graph."""
+        return self._get("condition")  # type: ignore[no-any-return]
+
+    @property
+    def expression(self) -> str:
+        """That condition as the graph writes it: `pipe.effort > 0`; of dry friction that sticks `crank.flow sticks`."""
+        return self._get("expression")  # type: ignore[no-any-return]
+
+    @property
+    def on(self) -> bool:
+        """Whether it became true."""
+        return self._get("on")  # type: ignore[no-any-return]
+
+    @property
+    def time(self) -> float:
+        """When [s]."""
+        return self._get("time")  # type: ignore[no-any-return]
+
+
+class GraphPeriodicMotion(Record):
+    """The periodic motion, or what was found instead."""
+
+    __slots__ = ()
+    _FIELDS = ("instead", "iterations", "multipliers", "outcome", "period", "residual",)
+
+    @property
+    def instead(self) -> str | None:
+        """What happened where no periodic motion was found."""
+        return self._get("instead")  # type: ignore[no-any-return]
+
+    @property
+    def iterations(self) -> int:
+        """Newton's iterations."""
+        return self._get("iterations")  # type: ignore[no-any-return]
+
+    @property
+    def multipliers(self) -> FloatArray:
+        """Multipliers by falling size: real and imaginary part."""
+        return self._array("multipliers")  # type: ignore[no-any-return]
+
+    @property
+    def outcome(self) -> Literal['stable', 'neutral', 'unstable', 'not-found']:
+        """How Newton ended."""
+        return self._get("outcome")  # type: ignore[no-any-return]
+
+    @property
+    def period(self) -> float:
+        """Length of the period [s]; of the last trial where none closes."""
+        return self._get("period")  # type: ignore[no-any-return]
+
+    @property
+    def residual(self) -> float:
+        """Largest change over one period, over the size of its state."""
+        return self._get("residual")  # type: ignore[no-any-return]
+
+
+class GraphRun(Record):
+    """A simulation: what was computed, what happened, what it cost."""
+
+    __slots__ = ()
+    _FIELDS = ("audit", "complete", "ended", "evaluations_needed", "events", "graph", "methods", "operations", "periodic", "series", "statistics", "stiff_from", "time", "tolerance", "version",)
+
+    @property
+    def audit(self) -> GraphAudit | None:
+        """Energy through every bond."""
+        return self._of("audit", GraphAudit)  # type: ignore[no-any-return]
+
+    @property
+    def complete(self) -> bool:
+        """Whether the whole duration was covered; otherwise the samples so far are good."""
+        return self._get("complete")  # type: ignore[no-any-return]
+
+    @property
+    def ended(self) -> str:
+        """Why it ended, in words."""
+        return self._get("ended")  # type: ignore[no-any-return]
+
+    @property
+    def evaluations_needed(self) -> float | None:
+        """Evaluations that the whole duration would need, as far as the run came: where it ended for their number."""
+        return self._get("evaluations_needed")  # type: ignore[no-any-return]
+
+    @property
+    def events(self) -> Records[GraphEvent]:
+        """Switches of conditions."""
+        return self._all("events", GraphEvent)
+
+    @property
+    def graph(self) -> str:
+        """Name of the graph."""
+        return self._get("graph")  # type: ignore[no-any-return]
+
+    @property
+    def methods(self) -> list[Literal['explicit', 'implicit']]:
+        """Methods that ran, in their order."""
+        return self._list("methods")  # type: ignore[no-any-return]
+
+    @property
+    def operations(self) -> int:
+        """Operations of one evaluation."""
+        return self._get("operations")  # type: ignore[no-any-return]
+
+    @property
+    def periodic(self) -> GraphPeriodicMotion | None:
+        """The periodic motion that was looked for."""
+        return self._of("periodic", GraphPeriodicMotion)  # type: ignore[no-any-return]
+
+    @property
+    def series(self) -> Records[Series]:
+        """States, then effort, flow and power of every bond, then what each junction shares, then signals, at the samples."""
+        return self._all("series", Series)
+
+    @property
+    def statistics(self) -> Statistics:
+        """Cost, of all methods together."""
+        return self._of("statistics", Statistics)  # type: ignore[no-any-return]
+
+    @property
+    def stiff_from(self) -> float | None:
+        """Time at which stiffness made the method implicit [s]."""
+        return self._get("stiff_from")  # type: ignore[no-any-return]
+
+    @property
+    def time(self) -> FloatArray:
+        """Times of the samples [s]."""
+        return self._array("time")  # type: ignore[no-any-return]
+
+    @property
+    def tolerance(self) -> float:
+        """Relative tolerance."""
+        return self._get("tolerance")  # type: ignore[no-any-return]
+
+    @property
+    def version(self) -> int:
+        """Version of this structure."""
+        return self._get("version")  # type: ignore[no-any-return]
+
+
 class Happened(Record):
     """Something that happened."""
 
@@ -6374,6 +8049,43 @@ class Happened(Record):
     def what(self) -> Occasion:
         """What."""
         return self._of("what", Occasion)  # type: ignore[no-any-return]
+
+
+class Hole(Record):
+    """A hole to drill."""
+
+    __slots__ = ()
+    _FIELDS = ("angle", "depth", "diameter", "mass", "tip", "unbalance",)
+
+    @property
+    def angle(self) -> float:
+        """Angle on the rotor [rad], within [0, 2 pi)."""
+        return self._get("angle")  # type: ignore[no-any-return]
+
+    @property
+    def depth(self) -> float:
+        """Depth from the surface to the end of the full diameter [m]."""
+        return self._get("depth")  # type: ignore[no-any-return]
+
+    @property
+    def diameter(self) -> float:
+        """Diameter of the drill [m]."""
+        return self._get("diameter")  # type: ignore[no-any-return]
+
+    @property
+    def mass(self) -> float:
+        """Mass removed [kg]."""
+        return self._get("mass")  # type: ignore[no-any-return]
+
+    @property
+    def tip(self) -> float:
+        """Depth from the surface that the tip of the drill reaches [m]."""
+        return self._get("tip")  # type: ignore[no-any-return]
+
+    @property
+    def unbalance(self) -> float:
+        """Unbalance removed, at its angle [kg m]."""
+        return self._get("unbalance")  # type: ignore[no-any-return]
 
 
 class HolzerRow(Record):
@@ -6615,9 +8327,9 @@ class InertiaSum(Record):
         return self._get("known")  # type: ignore[no-any-return]
 
     @property
-    def missing(self) -> list[list[Any]]:
+    def missing(self) -> list[tuple[str, str]]:
         """Names of the bodies whose inertia is not known, with the key that would give each."""
-        return self._list("missing")  # type: ignore[no-any-return]
+        return self._as("missing", every(row(one, one)), [])  # type: ignore[no-any-return]
 
     @property
     def origin(self) -> Literal['given', 'from-shape', 'typical', 'assumed'] | None:
@@ -6674,6 +8386,198 @@ class Infeasible(Record):
         return self._get("proved")  # type: ignore[no-any-return]
 
 
+class Influence(Record):
+    """Effect of a weight in one plane on one sensor at one speed."""
+
+    __slots__ = ()
+    _FIELDS = ("deviation", "plane", "quantity", "response", "sensor", "shown", "speed",)
+
+    @property
+    def deviation(self) -> float | None:
+        """Its standard deviation [same unit]; `None` where the runs leave no freedom."""
+        return self._get("deviation")  # type: ignore[no-any-return]
+
+    @property
+    def plane(self) -> str:
+        """Name of the plane."""
+        return self._get("plane")  # type: ignore[no-any-return]
+
+    @property
+    def quantity(self) -> Literal['displacement', 'velocity', 'acceleration']:
+        """Quantity in which the sensor is read."""
+        return self._get("quantity")  # type: ignore[no-any-return]
+
+    @property
+    def response(self) -> FloatArray:
+        """Peak velocity per unbalance [m/s per kg m]; its argument is the angle by which the peak of the velocity leads the
+        passing of the heavy spot at the sensor, whatever the conventions of the sheet.
+        """
+        return self._array("response")  # type: ignore[no-any-return]
+
+    @property
+    def sensor(self) -> str:
+        """Name of the sensor."""
+        return self._get("sensor")  # type: ignore[no-any-return]
+
+    @property
+    def shown(self) -> float:
+        """Amplitude per unbalance as the sensor's detector gives it [m, m/s or m/s^2 per kg m]."""
+        return self._get("shown")  # type: ignore[no-any-return]
+
+    @property
+    def speed(self) -> float:
+        """Speed [rad/s]."""
+        return self._get("speed")  # type: ignore[no-any-return]
+
+
+class IntegrationOutcome(Variant):
+    """How a run ended. `t` and `y` of the run hold the last good state in every case."""
+
+    __slots__ = ()
+    _FIELDS = ("kind", "event", "too_many_evaluations", "step_too_small", "not_finite", "stiff",)
+
+    @property
+    def kind(self) -> Literal['reached', 'event', 'stopped', 'too_many_evaluations', 'step_too_small', 'not_finite', 'stiff', 'singular']:
+        """Which of the variants it is.
+        `reached`: The end was reached.
+        `stopped`: The observer asked to stop.
+        `singular`: Newton's iteration has no regular matrix, however short the step: the mass matrix and the Jacobian are singular together.
+        """
+        return self._kind()  # type: ignore[no-any-return]
+
+    @property
+    def event(self) -> IntegrationOutcomeEvent | None:
+        """An event function changed its sign; the state is the one just behind it."""
+        return self._of("event", IntegrationOutcomeEvent)  # type: ignore[no-any-return]
+
+    @property
+    def too_many_evaluations(self) -> IntegrationOutcomeTooManyEvaluations | None:
+        """As many evaluations as are allowed."""
+        return self._of("too_many_evaluations", IntegrationOutcomeTooManyEvaluations)  # type: ignore[no-any-return]
+
+    @property
+    def step_too_small(self) -> IntegrationOutcomeStepTooSmall | None:
+        """The error cannot be met by any step that the machine can tell from zero: a singularity or a jump."""
+        return self._of("step_too_small", IntegrationOutcomeStepTooSmall)  # type: ignore[no-any-return]
+
+    @property
+    def not_finite(self) -> IntegrationOutcomeNotFinite | None:
+        """A derivative is no finite number, however short the step."""
+        return self._of("not_finite", IntegrationOutcomeNotFinite)  # type: ignore[no-any-return]
+
+    @property
+    def stiff(self) -> IntegrationOutcomeStiff | None:
+        """The problem is stiff: steps are bounded by stability, not by accuracy. Only where the settings ask for the test."""
+        return self._of("stiff", IntegrationOutcomeStiff)  # type: ignore[no-any-return]
+
+
+class IntegrationOutcomeEvent(Record):
+    """An event function changed its sign; the state is the one just behind it."""
+
+    __slots__ = ()
+    _FIELDS = ("index", "rising",)
+
+    @property
+    def index(self) -> int:
+        """Which event function."""
+        return self._get("index")  # type: ignore[no-any-return]
+
+    @property
+    def rising(self) -> bool:
+        """Whether it became positive."""
+        return self._get("rising")  # type: ignore[no-any-return]
+
+
+class IntegrationOutcomeNotFinite(Record):
+    """A derivative is no finite number, however short the step."""
+
+    __slots__ = ()
+    _FIELDS = ("component",)
+
+    @property
+    def component(self) -> int:
+        """The first such component."""
+        return self._get("component")  # type: ignore[no-any-return]
+
+
+class IntegrationOutcomeStepTooSmall(Record):
+    """The error cannot be met by any step that the machine can tell from zero: a singularity or a jump."""
+
+    __slots__ = ()
+    _FIELDS = ("step",)
+
+    @property
+    def step(self) -> float:
+        """The step that was tried last."""
+        return self._get("step")  # type: ignore[no-any-return]
+
+
+class IntegrationOutcomeStiff(Record):
+    """The problem is stiff: steps are bounded by stability, not by accuracy. Only where the settings ask for the test."""
+
+    __slots__ = ()
+    _FIELDS = ("step_times_rate",)
+
+    @property
+    def step_times_rate(self) -> float:
+        """Step times measured spectral radius."""
+        return self._get("step_times_rate")  # type: ignore[no-any-return]
+
+
+class IntegrationOutcomeTooManyEvaluations(Record):
+    """As many evaluations as are allowed."""
+
+    __slots__ = ()
+    _FIELDS = ("limit",)
+
+    @property
+    def limit(self) -> int:
+        """The limit."""
+        return self._get("limit")  # type: ignore[no-any-return]
+
+
+class InternalBalance(Result):
+    """Weights outside moved inside."""
+
+    __slots__ = ()
+    _FIELDS = ("couple_left", "externals", "name", "planes", "reached", "static_left", "version",)
+
+    @property
+    def couple_left(self) -> FloatArray:
+        """Couple unbalance about z = 0 that is left [kg m^2]."""
+        return self._array("couple_left")  # type: ignore[no-any-return]
+
+    @property
+    def externals(self) -> Records[PlaneUnbalance]:
+        """Weights that come off."""
+        return self._all("externals", PlaneUnbalance)
+
+    @property
+    def name(self) -> str:
+        """Name of the sheet."""
+        return self._get("name")  # type: ignore[no-any-return]
+
+    @property
+    def planes(self) -> Records[InternalPlane]:
+        """The counterweights."""
+        return self._all("planes", InternalPlane)
+
+    @property
+    def reached(self) -> bool:
+        """Whether both have room for all that they need."""
+        return self._get("reached")  # type: ignore[no-any-return]
+
+    @property
+    def static_left(self) -> FloatArray:
+        """Static unbalance that is left where they have not [kg m]."""
+        return self._array("static_left")  # type: ignore[no-any-return]
+
+    @property
+    def version(self) -> int:
+        """Version of this structure."""
+        return self._get("version")  # type: ignore[no-any-return]
+
+
 class InternalMoments(Record):
     """Shear forces and bending moments of all crankshafts at one speed."""
 
@@ -6714,6 +8618,28 @@ class InternalMoments(Record):
     def version(self) -> int:
         """Version of this structure."""
         return self._get("version")  # type: ignore[no-any-return]
+
+
+class InternalPlane(Record):
+    """One counterweight that takes slugs."""
+
+    __slots__ = ()
+    _FIELDS = ("name", "plan", "z",)
+
+    @property
+    def name(self) -> str:
+        """Name of its plane."""
+        return self._get("name")  # type: ignore[no-any-return]
+
+    @property
+    def plan(self) -> SlugPlan:
+        """The slugs."""
+        return self._of("plan", SlugPlan)  # type: ignore[no-any-return]
+
+    @property
+    def z(self) -> float:
+        """Its plane [m]."""
+        return self._get("z")  # type: ignore[no-any-return]
 
 
 class InvalidCount(Record):
@@ -6767,9 +8693,9 @@ class JudgedBy(Record):
         return self._get("name")  # type: ignore[no-any-return]
 
     @property
-    def objective(self) -> Literal['bending-moment', 'main-load', 'firing-unevenness', 'neighbour-firings', 'length', 'height', 'counterweight-unbalance', 'shafts'] | dict[str, Any]:
+    def objective(self) -> Objective:
         """The objective."""
-        return self._get("objective")  # type: ignore[no-any-return]
+        return self._of("objective", Objective)  # type: ignore[no-any-return]
 
     @property
     def unit(self) -> str:
@@ -6931,6 +8857,48 @@ class Leading(Record):
         return self._get("size")  # type: ignore[no-any-return]
 
 
+class LeastFilm(Record):
+    """An oil film where it is thinnest over the cycle."""
+
+    __slots__ = ()
+    _FIELDS = ("at_ends", "below_roughness", "largest_pressure", "quasi_static", "theta", "thickness", "viscosity",)
+
+    @property
+    def at_ends(self) -> float:
+        """Least thickness at the ends of the bearing, with the slope of the journal [m]; below 0 the slope is more than the parallel film of the law allows."""
+        return self._get("at_ends")  # type: ignore[no-any-return]
+
+    @property
+    def below_roughness(self) -> float:
+        """Share of the cycle in which the film is below three times the roughness [1]."""
+        return self._get("below_roughness")  # type: ignore[no-any-return]
+
+    @property
+    def largest_pressure(self) -> FloatArray | None:
+        """Largest pressure [Pa] and its crank angle [rad]."""
+        return self._array("largest_pressure")  # type: ignore[no-any-return]
+
+    @property
+    def quasi_static(self) -> float | None:
+        """Least film of the rigid crankshaft, throw by throw, quasi-static [m]."""
+        return self._get("quasi_static")  # type: ignore[no-any-return]
+
+    @property
+    def theta(self) -> float:
+        """Crank angle there [rad]."""
+        return self._get("theta")  # type: ignore[no-any-return]
+
+    @property
+    def thickness(self) -> float:
+        """Thickness in the middle of the bearing [m]."""
+        return self._get("thickness")  # type: ignore[no-any-return]
+
+    @property
+    def viscosity(self) -> float:
+        """Viscosity [Pa s]."""
+        return self._get("viscosity")  # type: ignore[no-any-return]
+
+
 class Limit(Record):
     """A criterion that must not pass a value."""
 
@@ -6938,9 +8906,9 @@ class Limit(Record):
     _FIELDS = ("criterion", "most",)
 
     @property
-    def criterion(self) -> Literal['added-mass', 'added-unbalance', 'cost'] | dict[str, Any]:
+    def criterion(self) -> Criterion:
         """What."""
-        return self._get("criterion")  # type: ignore[no-any-return]
+        return self._of("criterion", Criterion)  # type: ignore[no-any-return]
 
     @property
     def most(self) -> float:
@@ -6980,9 +8948,52 @@ class LimitVerdict(Record):
         return self._get("limit")  # type: ignore[no-any-return]
 
     @property
-    def output(self) -> Literal['peak-force', 'peak-couple'] | dict[str, Any]:
+    def output(self) -> Output:
         """On what."""
-        return self._get("output")  # type: ignore[no-any-return]
+        return self._of("output", Output)  # type: ignore[no-any-return]
+
+
+class Load(Variant):
+    """A load over the cycle whose largest amount is judged; about the origin."""
+
+    __slots__ = ()
+    _FIELDS = ("kind", "mount_force", "mount_force_with_gas", "main_load",)
+
+    @property
+    def kind(self) -> Literal['force', 'force-x', 'force-y', 'couple', 'couple-x', 'couple-y', 'roll-moment', 'mount-force', 'largest-mount-force', 'mount-force-with-gas', 'largest-mount-force-with-gas', 'main-load', 'largest-main-load', 'bending-moment']:
+        """Which of the variants it is.
+        `force`: Resultant force `|F_x + i F_y|` [N].
+        `force-x`: Force along x [N].
+        `force-y`: Force along y [N].
+        `couple`: Resultant couple `|M_x + i M_y|` [N m].
+        `couple-x`: Couple about x [N m].
+        `couple-y`: Couple about y [N m].
+        `roll-moment`: Roll moment [N m].
+        `largest-mount-force`: Largest force at any mount [N].
+        `largest-mount-force-with-gas`: Largest such force at any mount [N].
+        `largest-main-load`: Largest inertia load of any main bearing [N].
+        `bending-moment`: Largest bending moment along crankshaft 1 [N m].
+        """
+        return self._kind()  # type: ignore[no-any-return]
+
+    @property
+    def mount_force(self) -> int | None:
+        """Force at one mount [N], by index."""
+        return self._get("mount-force")  # type: ignore[no-any-return]
+
+    @property
+    def mount_force_with_gas(self) -> int | None:
+        """Force at one mount [N], by index, of inertia and of the torque of the gas about its mean: on springs, over the range of
+        speeds or at the speeds of the task.
+        """
+        return self._get("mount-force-with-gas")  # type: ignore[no-any-return]
+
+    @property
+    def main_load(self) -> int | None:
+        """Inertia load of one main bearing [N], by index: those of crankshaft 1 first, each from the free end on
+        (`main_bearings`). Every throw is held by the two main bearings beside it.
+        """
+        return self._get("main-load")  # type: ignore[no-any-return]
 
 
 class LoadSet(Record):
@@ -7137,6 +9148,48 @@ class MainLoad(Record):
     def z(self) -> float:
         """Its plane [m], from the origin."""
         return self._get("z")  # type: ignore[no-any-return]
+
+
+class MainRules(Record):
+    """Loads of the main bearings of the same crankshaft, rigid, at constant speed, by the rules of the simulation."""
+
+    __slots__ = ()
+    _FIELDS = ("loads", "names", "theta",)
+
+    @property
+    def loads(self) -> list[list[FloatArray]]:
+        """By main bearing, then by rule: load of the journal on the bearing, `x` and `y` of the block [N], at every angle."""
+        return self._as("loads", every(every(an_array)), [])  # type: ignore[no-any-return]
+
+    @property
+    def names(self) -> list[str]:
+        """Names of the rules."""
+        return self._list("names")  # type: ignore[no-any-return]
+
+    @property
+    def theta(self) -> FloatArray:
+        """Crank angles [rad]."""
+        return self._array("theta")  # type: ignore[no-any-return]
+
+
+class Mains(Variant):
+    """Which main bearings count."""
+
+    __slots__ = ()
+    _FIELDS = ("kind", "one",)
+
+    @property
+    def kind(self) -> Literal['all', 'largest', 'one']:
+        """Which of the variants it is.
+        `all`: All of them together: the statistic is taken over bearings and cycle.
+        `largest`: The one with the largest.
+        """
+        return self._kind()  # type: ignore[no-any-return]
+
+    @property
+    def one(self) -> int | None:
+        """One, by index as in `MainLoad`."""
+        return self._get("one")  # type: ignore[no-any-return]
 
 
 class MassProperties(Record):
@@ -7836,6 +9889,23 @@ class NearestLimit(Record):
         return self._get("nearest")  # type: ignore[no-any-return]
 
 
+class NextStep(Record):
+    """What to do next."""
+
+    __slots__ = ()
+    _FIELDS = ("kind", "planes",)
+
+    @property
+    def kind(self) -> Literal['try', 'settle', 'correct', 'finished']:
+        """Which of the variants it is."""
+        return self._get("kind")  # type: ignore[no-any-return]
+
+    @property
+    def planes(self) -> list[str]:
+        """Names of the planes."""
+        return self._list("planes")  # type: ignore[no-any-return]
+
+
 class NominalBore(Record):
     """Alternating loads and nominal stresses of the pin at its oil bore."""
 
@@ -7918,6 +9988,162 @@ class NominalWeb(Record):
     def sigma_q(self) -> float:
         """Nominal stress of the radial force [Pa]."""
         return self._get("sigma_q")  # type: ignore[no-any-return]
+
+
+class Objective(Variant):
+    """A number of which less is better. Loads are those on the block without gas, at the speed of the parts; the residual
+    of the layout's own counterweights and balance shafts.
+    """
+
+    __slots__ = ()
+    _FIELDS = ("kind", "force", "couple", "force_sense", "couple_sense", "roll_moment", "inertia_torque", "firing_harmonic",)
+
+    @property
+    def kind(self) -> Literal['force', 'couple', 'force-sense', 'couple-sense', 'roll-moment', 'inertia-torque', 'bending-moment', 'main-load', 'firing-unevenness', 'firing-harmonic', 'neighbour-firings', 'length', 'height', 'counterweight-unbalance', 'shafts']:
+        """Which of the variants it is.
+        `bending-moment`: Largest bending moment along the crank by the parts that turn with it, as a free beam on its end mains [N m].
+        `main-load`: Largest load on a main bearing by the parts that turn with the crank, each throw held by its own two mains [N].
+        `firing-unevenness`: Largest difference of a firing interval from the even one [rad].
+        `neighbour-firings`: Successive firings of cylinders that stand side by side in one bank.
+        `length`: Length [m]: distance of the outermost cylinder axes and the ends.
+        `height`: Height [m]: crank radius and rod length.
+        `counterweight-unbalance`: Counterweights on the webs, sum of their unbalances [kg m].
+        `shafts`: Number of balance shafts.
+        """
+        return self._kind()  # type: ignore[no-any-return]
+
+    @property
+    def force(self) -> ObjectiveForce | None:
+        """Largest resultant of the force of an order [N]: major half axis of its ellipse."""
+        return self._of("force", ObjectiveForce)  # type: ignore[no-any-return]
+
+    @property
+    def couple(self) -> ObjectiveCouple | None:
+        """Largest resultant of the couple of an order about the middle of the crankshaft [N m]."""
+        return self._of("couple", ObjectiveCouple)  # type: ignore[no-any-return]
+
+    @property
+    def force_sense(self) -> ObjectiveForceSense | None:
+        """Part of the force of an order that turns in one sense [N]."""
+        return self._of("force-sense", ObjectiveForceSense)  # type: ignore[no-any-return]
+
+    @property
+    def couple_sense(self) -> ObjectiveCoupleSense | None:
+        """Part of the couple of an order that turns in one sense [N m]."""
+        return self._of("couple-sense", ObjectiveCoupleSense)  # type: ignore[no-any-return]
+
+    @property
+    def roll_moment(self) -> ObjectiveRollMoment | None:
+        """Amplitude of the roll moment of an order by inertia [N m]."""
+        return self._of("roll-moment", ObjectiveRollMoment)  # type: ignore[no-any-return]
+
+    @property
+    def inertia_torque(self) -> ObjectiveInertiaTorque | None:
+        """Amplitude of the inertia torque of an order [N m]."""
+        return self._of("inertia-torque", ObjectiveInertiaTorque)  # type: ignore[no-any-return]
+
+    @property
+    def firing_harmonic(self) -> ObjectiveFiringHarmonic | None:
+        """Harmonic of the firing pulses, over that of pulses that all come together: `|SUM e^{i h angle / 2}| / cylinders`,
+        the factor by which it takes the gas torque's harmonic of one cylinder to that of the engine.
+        """
+        return self._of("firing-harmonic", ObjectiveFiringHarmonic)  # type: ignore[no-any-return]
+
+
+class ObjectiveCouple(Record):
+    """Largest resultant of the couple of an order about the middle of the crankshaft [N m]."""
+
+    __slots__ = ()
+    _FIELDS = ("order",)
+
+    @property
+    def order(self) -> int:
+        """Order: 1 or 2."""
+        return self._get("order")  # type: ignore[no-any-return]
+
+
+class ObjectiveCoupleSense(Record):
+    """Part of the couple of an order that turns in one sense [N m]."""
+
+    __slots__ = ()
+    _FIELDS = ("order", "sense",)
+
+    @property
+    def order(self) -> int:
+        """Order: 1 or 2."""
+        return self._get("order")  # type: ignore[no-any-return]
+
+    @property
+    def sense(self) -> Literal['forward', 'backward']:
+        """Sense."""
+        return self._get("sense")  # type: ignore[no-any-return]
+
+
+class ObjectiveFiringHarmonic(Record):
+    """Harmonic of the firing pulses, over that of pulses that all come together: `|SUM e^{i h angle / 2}| / cylinders`,
+    the factor by which it takes the gas torque's harmonic of one cylinder to that of the engine.
+    """
+
+    __slots__ = ()
+    _FIELDS = ("half_orders",)
+
+    @property
+    def half_orders(self) -> int:
+        """Order in half cycles per revolution: 1 is order 0.5."""
+        return self._get("half_orders")  # type: ignore[no-any-return]
+
+
+class ObjectiveForce(Record):
+    """Largest resultant of the force of an order [N]: major half axis of its ellipse."""
+
+    __slots__ = ()
+    _FIELDS = ("order",)
+
+    @property
+    def order(self) -> int:
+        """Order: 1 or 2."""
+        return self._get("order")  # type: ignore[no-any-return]
+
+
+class ObjectiveForceSense(Record):
+    """Part of the force of an order that turns in one sense [N]."""
+
+    __slots__ = ()
+    _FIELDS = ("order", "sense",)
+
+    @property
+    def order(self) -> int:
+        """Order: 1 or 2."""
+        return self._get("order")  # type: ignore[no-any-return]
+
+    @property
+    def sense(self) -> Literal['forward', 'backward']:
+        """Sense."""
+        return self._get("sense")  # type: ignore[no-any-return]
+
+
+class ObjectiveInertiaTorque(Record):
+    """Amplitude of the inertia torque of an order [N m]."""
+
+    __slots__ = ()
+    _FIELDS = ("order",)
+
+    @property
+    def order(self) -> int:
+        """Order: 1 or 2."""
+        return self._get("order")  # type: ignore[no-any-return]
+
+
+class ObjectiveRollMoment(Record):
+    """Amplitude of the roll moment of an order by inertia [N m]."""
+
+    __slots__ = ()
+    _FIELDS = ("order",)
+
+    @property
+    def order(self) -> int:
+        """Order: 1 or 2."""
+        return self._get("order")  # type: ignore[no-any-return]
 
 
 class Obstacle(Record):
@@ -8175,6 +10401,99 @@ class Outcome(Record):
         return self._get("cause")  # type: ignore[no-any-return]
 
 
+class Output(Variant):
+    """A residual load whose scatter is asked for: a size, 0 being best."""
+
+    __slots__ = ()
+    _FIELDS = ("kind", "force", "couple", "force_sense", "couple_sense",)
+
+    @property
+    def kind(self) -> Literal['force', 'couple', 'force-sense', 'couple-sense', 'peak-force', 'peak-couple']:
+        """Which of the variants it is.
+        `peak-force`: Largest resultant force of all orders, over the continuous crank angle [N].
+        `peak-couple`: Largest resultant couple of all orders, over the continuous crank angle [N m].
+        """
+        return self._kind()  # type: ignore[no-any-return]
+
+    @property
+    def force(self) -> OutputForce | None:
+        """Largest resultant of the force of order 1 or 2 [N]."""
+        return self._of("force", OutputForce)  # type: ignore[no-any-return]
+
+    @property
+    def couple(self) -> OutputCouple | None:
+        """Largest resultant of the couple of order 1 or 2 about the origin [N m]."""
+        return self._of("couple", OutputCouple)  # type: ignore[no-any-return]
+
+    @property
+    def force_sense(self) -> OutputForceSense | None:
+        """Part of the force of order 1 or 2 that turns in one sense [N]."""
+        return self._of("force-sense", OutputForceSense)  # type: ignore[no-any-return]
+
+    @property
+    def couple_sense(self) -> OutputCoupleSense | None:
+        """Part of the couple of order 1 or 2 that turns in one sense [N m]."""
+        return self._of("couple-sense", OutputCoupleSense)  # type: ignore[no-any-return]
+
+
+class OutputCouple(Record):
+    """Largest resultant of the couple of order 1 or 2 about the origin [N m]."""
+
+    __slots__ = ()
+    _FIELDS = ("order",)
+
+    @property
+    def order(self) -> int:
+        """Order."""
+        return self._get("order")  # type: ignore[no-any-return]
+
+
+class OutputCoupleSense(Record):
+    """Part of the couple of order 1 or 2 that turns in one sense [N m]."""
+
+    __slots__ = ()
+    _FIELDS = ("order", "sense",)
+
+    @property
+    def order(self) -> int:
+        """Order."""
+        return self._get("order")  # type: ignore[no-any-return]
+
+    @property
+    def sense(self) -> Literal['forward', 'backward']:
+        """Sense."""
+        return self._get("sense")  # type: ignore[no-any-return]
+
+
+class OutputForce(Record):
+    """Largest resultant of the force of order 1 or 2 [N]."""
+
+    __slots__ = ()
+    _FIELDS = ("order",)
+
+    @property
+    def order(self) -> int:
+        """Order."""
+        return self._get("order")  # type: ignore[no-any-return]
+
+
+class OutputForceSense(Record):
+    """Part of the force of order 1 or 2 that turns in one sense [N]."""
+
+    __slots__ = ()
+    _FIELDS = ("order", "sense",)
+
+    @property
+    def order(self) -> int:
+        """Order."""
+        return self._get("order")  # type: ignore[no-any-return]
+
+    @property
+    def sense(self) -> Literal['forward', 'backward']:
+        """Sense."""
+        return self._get("sense")  # type: ignore[no-any-return]
+
+
 class OutputScatter(Record):
     """Scatter of one output."""
 
@@ -8222,9 +10541,9 @@ class OutputScatter(Record):
         return self._get("nominal")  # type: ignore[no-any-return]
 
     @property
-    def output(self) -> Literal['peak-force', 'peak-couple'] | dict[str, Any]:
+    def output(self) -> Output:
         """Which."""
-        return self._get("output")  # type: ignore[no-any-return]
+        return self._of("output", Output)  # type: ignore[no-any-return]
 
     @property
     def percentile_error(self) -> float:
@@ -8264,14 +10583,14 @@ class OutputSensitivity(Record):
         return self._get("part")  # type: ignore[no-any-return]
 
     @property
-    def size(self) -> Literal['peak', 'mean'] | dict[str, Any]:
+    def size(self) -> Size:
         """Which number of it."""
-        return self._get("size")  # type: ignore[no-any-return]
+        return self._of("size", Size)  # type: ignore[no-any-return]
 
     @property
-    def target(self) -> Literal['force', 'couple', 'roll-moment', 'torque', 'excess-energy', 'speed-fluctuation'] | dict[str, Any]:
+    def target(self) -> Target:
         """Of what."""
-        return self._get("target")  # type: ignore[no-any-return]
+        return self._of("target", Target)  # type: ignore[no-any-return]
 
     @property
     def unit(self) -> str:
@@ -8585,6 +10904,30 @@ class PeriodicResult(Record):
         return self._get("residual")  # type: ignore[no-any-return]
 
 
+class Phase(Variant):
+    """Direction of a free weight at `theta = 0`."""
+
+    __slots__ = ()
+    _FIELDS = ("kind", "line", "direction",)
+
+    @property
+    def kind(self) -> Literal['free', 'line', 'direction']:
+        """Which of the variants it is.
+        `free`: To be found.
+        """
+        return self._kind()  # type: ignore[no-any-return]
+
+    @property
+    def line(self) -> float | None:
+        """Along this direction [rad] or opposite to it, whichever is better."""
+        return self._get("line")  # type: ignore[no-any-return]
+
+    @property
+    def direction(self) -> float | None:
+        """Along this direction [rad]."""
+        return self._get("direction")  # type: ignore[no-any-return]
+
+
 class PinForces(Record):
     """Force on a pin."""
 
@@ -8644,6 +10987,131 @@ class PinLoad2(Record):
     def pin(self) -> int:
         """Number of the pin, from 1."""
         return self._get("pin")  # type: ignore[no-any-return]
+
+
+class PinParts(Record):
+    """One crankpin of a sheet."""
+
+    __slots__ = ()
+    _FIELDS = ("cylinders", "name", "oil", "throw",)
+
+    @property
+    def cylinders(self) -> Records[CylinderParts]:
+        """The parts of every rod on it."""
+        return self._all("cylinders", CylinderParts)
+
+    @property
+    def name(self) -> str:
+        """What it is called."""
+        return self._get("name")  # type: ignore[no-any-return]
+
+    @property
+    def oil(self) -> float:
+        """Oil that turns with the pin [kg]."""
+        return self._get("oil")  # type: ignore[no-any-return]
+
+    @property
+    def throw(self) -> int | None:
+        """Number of its throw in the engine file, from 1, where the sheet names one."""
+        return self._get("throw")  # type: ignore[no-any-return]
+
+
+class Place(Variant):
+    """A coordinate that is given or to be found."""
+
+    __slots__ = ()
+    _FIELDS = ("kind", "at", "between",)
+
+    @property
+    def kind(self) -> Literal['at', 'between']:
+        """Which of the variants it is."""
+        return self._kind()  # type: ignore[no-any-return]
+
+    @property
+    def at(self) -> float | None:
+        """Given [m]."""
+        return self._get("at")  # type: ignore[no-any-return]
+
+    @property
+    def between(self) -> FloatArray:
+        """Anywhere from the first to the second [m], `first < second`."""
+        return self._array("between")  # type: ignore[no-any-return]
+
+
+class Placement(Record):
+    """A weight to add or remove at an allowed angle."""
+
+    __slots__ = ()
+    _FIELDS = ("angle", "mass", "unbalance",)
+
+    @property
+    def angle(self) -> float:
+        """Angle on the rotor [rad], within [0, 2 pi)."""
+        return self._get("angle")  # type: ignore[no-any-return]
+
+    @property
+    def mass(self) -> float | None:
+        """Mass at the radius of the plane [kg], where that is given."""
+        return self._get("mass")  # type: ignore[no-any-return]
+
+    @property
+    def unbalance(self) -> float:
+        """Mass times radius [kg m]."""
+        return self._get("unbalance")  # type: ignore[no-any-return]
+
+
+class PlaneCorrection(Record):
+    """What to add or remove in one plane."""
+
+    __slots__ = ()
+    _FIELDS = ("action", "left", "placements", "plane", "unbalance",)
+
+    @property
+    def action(self) -> Literal['add', 'remove']:
+        """Whether weight is added or removed."""
+        return self._get("action")  # type: ignore[no-any-return]
+
+    @property
+    def left(self) -> FloatArray:
+        """What these leave undone, as an unbalance to put on [kg m]."""
+        return self._array("left")  # type: ignore[no-any-return]
+
+    @property
+    def placements(self) -> Records[Placement]:
+        """What to do at which allowed angles."""
+        return self._all("placements", Placement)
+
+    @property
+    def plane(self) -> str:
+        """Name of the plane."""
+        return self._get("plane")  # type: ignore[no-any-return]
+
+    @property
+    def unbalance(self) -> FloatArray:
+        """Unbalance to put on [kg m]: its argument is the angle on the rotor at which weight would be added."""
+        return self._array("unbalance")  # type: ignore[no-any-return]
+
+
+class PlaneUnbalance(Record):
+    """An unbalance in a plane."""
+
+    __slots__ = ()
+    _FIELDS = ("name", "unbalance", "z",)
+
+    @property
+    def name(self) -> str:
+        """Name of the plane or of what brings the unbalance."""
+        return self._get("name")  # type: ignore[no-any-return]
+
+    @property
+    def unbalance(self) -> FloatArray:
+        """Unbalance in the frame of the crankshaft [kg m]."""
+        return self._array("unbalance")  # type: ignore[no-any-return]
+
+    @property
+    def z(self) -> float:
+        """Plane [m], from the origin."""
+        return self._get("z")  # type: ignore[no-any-return]
 
 
 class Point(Record):
@@ -8893,6 +11361,23 @@ class PrimaryEllipse(Record):
         return self._get("tilt")  # type: ignore[no-any-return]
 
 
+class QuasiStatic(Record):
+    """A single unbalance that stands for all, but for a couple across it."""
+
+    __slots__ = ()
+    _FIELDS = ("rest", "z",)
+
+    @property
+    def rest(self) -> float:
+        """The couple that is left [kg m^2]: perpendicular to the static unbalance."""
+        return self._get("rest")  # type: ignore[no-any-return]
+
+    @property
+    def z(self) -> float:
+        """Its plane [m], from the origin."""
+        return self._get("z")  # type: ignore[no-any-return]
+
+
 class RadialEnvelope(Record):
     """How far a counterweight may reach in each direction, between two planes."""
 
@@ -8918,6 +11403,23 @@ class RadialEnvelope(Record):
     def radii(self) -> FloatArray:
         """Largest radius in each of them [m], on the nearer of both sides. Between two of them it runs along a circle."""
         return self._array("radii")  # type: ignore[no-any-return]
+
+
+class RadiusAndMass(Record):
+    """A weight by its mass at a radius: their product is its unbalance."""
+
+    __slots__ = ()
+    _FIELDS = ("mass", "radius",)
+
+    @property
+    def mass(self) -> float:
+        """Mass [kg]."""
+        return self._get("mass")  # type: ignore[no-any-return]
+
+    @property
+    def radius(self) -> float:
+        """Distance of the centre of gravity from the axis [m]."""
+        return self._get("radius")  # type: ignore[no-any-return]
 
 
 class Range(Record):
@@ -9025,6 +11527,206 @@ class Reactions(Record):
     def shaft_torque(self) -> float:
         """Torque that the crank train delivers at crankshaft 1 [N m]: to load, starter, friction and driveline."""
         return self._get("shaft_torque")  # type: ignore[no-any-return]
+
+
+class ReducedCrank(Result):
+    """A reduced model with its checks."""
+
+    __slots__ = ()
+    _FIELDS = ("frequencies", "mass_error", "model", "of_mesh", "residual", "sheet", "version",)
+
+    @property
+    def frequencies(self) -> FloatArray:
+        """Free natural frequencies of the model beyond the rigid motions, and with a third of its fixed-interface modes left out [Hz]."""
+        return self._array("frequencies")  # type: ignore[no-any-return]
+
+    @property
+    def mass_error(self) -> float:
+        """Mass of a rigid translation of the model, over that of the mesh, less one."""
+        return self._get("mass_error")  # type: ignore[no-any-return]
+
+    @property
+    def model(self) -> ReducedModel:
+        """The model."""
+        return self._of("model", ReducedModel)  # type: ignore[no-any-return]
+
+    @property
+    def of_mesh(self) -> FloatArray:
+        """The first free natural frequencies of the mesh itself [Hz]: bearing surfaces that stay rigid make the model stiffer than that."""
+        return self._array("of_mesh")  # type: ignore[no-any-return]
+
+    @property
+    def residual(self) -> float:
+        """Largest force that a constraint mode leaves on the free nodes, over its largest force."""
+        return self._get("residual")  # type: ignore[no-any-return]
+
+    @property
+    def sheet(self) -> CrankSheet:
+        """What was meshed."""
+        return self._of("sheet", CrankSheet)  # type: ignore[no-any-return]
+
+    @property
+    def version(self) -> int:
+        """Version of this structure."""
+        return self._get("version")  # type: ignore[no-any-return]
+
+
+class ReducedModel(Matrices):
+    """Matrices of a crankshaft in the coordinates of reference points and fixed-interface modes, row by row.
+
+    Coordinates: of each reference point displacements along x, y, z [m] and rotations about them [rad]; then those of the modes, of modal mass
+    1 kg. In a frame that turns about z with `W`:
+
+    ```text
+    m q'' + 2 W g q' + (k - W^2 n + W' g) q = W^2 f_c - W' f_e + f
+    ```
+    """
+
+    __slots__ = ()
+    _FIELDS = ("centrifugal", "centrifugal_load", "euler_load", "frequencies", "gyroscopic", "mass", "points", "stiffness",)
+    _SQUARE = ("centrifugal", "gyroscopic", "mass", "stiffness")
+
+    @property
+    def centrifugal(self) -> FloatArray:
+        """`n = B^T S^T M S B`."""
+        return self._square("centrifugal")  # type: ignore[no-any-return]
+
+    @property
+    def centrifugal_load(self) -> FloatArray:
+        """`f_c = B^T M (x, y, 0)`: load of a unit of speed squared."""
+        return self._array("centrifugal_load")  # type: ignore[no-any-return]
+
+    @property
+    def euler_load(self) -> FloatArray:
+        """`f_e = B^T M (-y, x, 0)`: load of a unit of angular acceleration, with its sign changed."""
+        return self._array("euler_load")  # type: ignore[no-any-return]
+
+    @property
+    def frequencies(self) -> FloatArray:
+        """Natural frequencies with all reference points fixed [Hz]."""
+        return self._array("frequencies")  # type: ignore[no-any-return]
+
+    @property
+    def gyroscopic(self) -> FloatArray:
+        """`g = B^T M S B`, skew, `S u = e_z x u`."""
+        return self._square("gyroscopic")  # type: ignore[no-any-return]
+
+    @property
+    def mass(self) -> FloatArray:
+        """Mass `m`."""
+        return self._square("mass")  # type: ignore[no-any-return]
+
+    @property
+    def points(self) -> list[tuple[str, FloatArray]]:
+        """Name and place [m] of each reference point."""
+        return self._as("points", every(row(one, an_array)), [])  # type: ignore[no-any-return]
+
+    @property
+    def stiffness(self) -> FloatArray:
+        """Stiffness `k`."""
+        return self._square("stiffness")  # type: ignore[no-any-return]
+
+
+class Remark(Record):
+    """A doubt about the data, with what to do."""
+
+    __slots__ = ()
+    _FIELDS = ("hint", "kind", "message",)
+
+    @property
+    def hint(self) -> str:
+        """What to do."""
+        return self._get("hint")  # type: ignore[no-any-return]
+
+    @property
+    def kind(self) -> Literal['weak-trial', 'contradiction', 'ill-conditioned', 'untried']:
+        """Which doubt."""
+        return self._get("kind")  # type: ignore[no-any-return]
+
+    @property
+    def message(self) -> str:
+        """What is doubtful, with numbers."""
+        return self._get("message")  # type: ignore[no-any-return]
+
+
+class Removes(Variant):
+    """What the weights of a shaft remove, and the planes in which they stand [m], from the middle of the crankshaft."""
+
+    __slots__ = ()
+    _FIELDS = ("kind", "force", "couple", "both",)
+
+    @property
+    def kind(self) -> Literal['force', 'couple', 'both']:
+        """Which of the variants it is."""
+        return self._kind()  # type: ignore[no-any-return]
+
+    @property
+    def force(self) -> RemovesForce | None:
+        """The force, by one weight."""
+        return self._of("force", RemovesForce)  # type: ignore[no-any-return]
+
+    @property
+    def couple(self) -> RemovesCouple | None:
+        """The couple, by two opposed weights."""
+        return self._of("couple", RemovesCouple)  # type: ignore[no-any-return]
+
+    @property
+    def both(self) -> RemovesBoth | None:
+        """Force and couple, by two weights."""
+        return self._of("both", RemovesBoth)  # type: ignore[no-any-return]
+
+
+class RemovesBoth(Record):
+    """Force and couple, by two weights."""
+
+    __slots__ = ()
+    _FIELDS = ("z",)
+
+    @property
+    def z(self) -> FloatArray:
+        """Planes of the weights [m]."""
+        return self._array("z")  # type: ignore[no-any-return]
+
+
+class RemovesCouple(Record):
+    """The couple, by two opposed weights."""
+
+    __slots__ = ()
+    _FIELDS = ("z",)
+
+    @property
+    def z(self) -> FloatArray:
+        """Planes of the weights [m]."""
+        return self._array("z")  # type: ignore[no-any-return]
+
+
+class RemovesForce(Record):
+    """The force, by one weight."""
+
+    __slots__ = ()
+    _FIELDS = ("z",)
+
+    @property
+    def z(self) -> float:
+        """Plane of the weight [m]."""
+        return self._get("z")  # type: ignore[no-any-return]
+
+
+class Residual(Record):
+    """Error of one junction or two-port."""
+
+    __slots__ = ()
+    _FIELDS = ("element", "error",)
+
+    @property
+    def element(self) -> str:
+        """The element."""
+        return self._get("element")  # type: ignore[no-any-return]
+
+    @property
+    def error(self) -> float:
+        """Largest sum of powers against the largest power."""
+        return self._get("error")  # type: ignore[no-any-return]
 
 
 class RippleOutcome(Record):
@@ -9151,9 +11853,9 @@ class RobustAnswer(Result):
         return self._get("averaged")  # type: ignore[no-any-return]
 
     @property
-    def criterion(self) -> Literal['added-mass', 'added-unbalance', 'cost'] | dict[str, Any]:
+    def criterion(self) -> Criterion:
         """What is judged of every sample."""
-        return self._get("criterion")  # type: ignore[no-any-return]
+        return self._of("criterion", Criterion)  # type: ignore[no-any-return]
 
     @property
     def later(self) -> Records[RobustStage]:
@@ -9176,9 +11878,9 @@ class RobustAnswer(Result):
         return self._get("lower_bound")  # type: ignore[no-any-return]
 
     @property
-    def measure(self) -> Literal['worst'] | dict[str, Any]:
+    def measure(self) -> RobustMeasure:
         """What of the samples is minimised."""
-        return self._get("measure")  # type: ignore[no-any-return]
+        return self._of("measure", RobustMeasure)  # type: ignore[no-any-return]
 
     @property
     def nominal(self) -> float:
@@ -9253,9 +11955,9 @@ class RobustLimit(Record):
         return self._get("beyond")  # type: ignore[no-any-return]
 
     @property
-    def criterion(self) -> Literal['added-mass', 'added-unbalance', 'cost'] | dict[str, Any]:
+    def criterion(self) -> Criterion:
         """What is limited."""
-        return self._get("criterion")  # type: ignore[no-any-return]
+        return self._of("criterion", Criterion)  # type: ignore[no-any-return]
 
     @property
     def most(self) -> float:
@@ -9273,6 +11975,25 @@ class RobustLimit(Record):
         return self._get("worst")  # type: ignore[no-any-return]
 
 
+class RobustMeasure(Variant):
+    """What of the samples is minimised."""
+
+    __slots__ = ()
+    _FIELDS = ("kind", "mean_of_worst",)
+
+    @property
+    def kind(self) -> Literal['worst', 'mean-of-worst']:
+        """Which of the variants it is.
+        `worst`: The largest.
+        """
+        return self._kind()  # type: ignore[no-any-return]
+
+    @property
+    def mean_of_worst(self) -> float | None:
+        """The mean of this share of them, the largest ones: at least one sample."""
+        return self._get("mean-of-worst")  # type: ignore[no-any-return]
+
+
 class RobustStage(Record):
     """A stage behind the first."""
 
@@ -9280,9 +12001,9 @@ class RobustStage(Record):
     _FIELDS = ("criteria", "lower_bound", "value",)
 
     @property
-    def criteria(self) -> list[Literal['added-mass', 'added-unbalance', 'cost'] | dict[str, Any]]:
+    def criteria(self) -> Records[Criterion]:
         """Its criteria."""
-        return self._list("criteria")  # type: ignore[no-any-return]
+        return self._all("criteria", Criterion)
 
     @property
     def lower_bound(self) -> float:
@@ -9317,9 +12038,9 @@ class RotatingBody(Record):
         return self._get("key")  # type: ignore[no-any-return]
 
     @property
-    def kind(self) -> Literal['flywheel'] | dict[str, Any]:
+    def kind(self) -> RotatingKind:
         """What it is."""
-        return self._get("kind")  # type: ignore[no-any-return]
+        return self._of("kind", RotatingKind)  # type: ignore[no-any-return]
 
     @property
     def mass(self) -> Sourced | None:
@@ -9335,6 +12056,35 @@ class RotatingBody(Record):
     def ratio(self) -> float:
         """Speed over that of crankshaft 1, signed."""
         return self._get("ratio")  # type: ignore[no-any-return]
+
+
+class RotatingKind(Variant):
+    """What a rotating body is."""
+
+    __slots__ = ()
+    _FIELDS = ("kind", "crankshaft", "shaft", "gear",)
+
+    @property
+    def kind(self) -> Literal['crankshaft', 'flywheel', 'shaft', 'gear']:
+        """Which of the variants it is.
+        `flywheel`: The flywheel and all that turns rigidly with crankshaft 1.
+        """
+        return self._kind()  # type: ignore[no-any-return]
+
+    @property
+    def crankshaft(self) -> int | None:
+        """The crankshaft with this index, with its counterweights, without rods."""
+        return self._get("crankshaft")  # type: ignore[no-any-return]
+
+    @property
+    def shaft(self) -> int | None:
+        """The balance shaft with this index."""
+        return self._get("shaft")  # type: ignore[no-any-return]
+
+    @property
+    def gear(self) -> int | None:
+        """The gear with this index."""
+        return self._get("gear")  # type: ignore[no-any-return]
 
 
 class RotorEffects(Record):
@@ -9381,9 +12131,9 @@ class RotorExtremes(Record):
         return self._of("gear_torque", Bounds)  # type: ignore[no-any-return]
 
     @property
-    def mains(self) -> list[list[dict[str, Any]]]:
+    def mains(self) -> list[Records[Peak2]]:
         """Force on every main bearing [N], by rule (`ALL`), then by main."""
-        return self._list("mains")  # type: ignore[no-any-return]
+        return self._as("mains", every(record(Peak2)), [])  # type: ignore[no-any-return]
 
 
 class RotorReactions(Record):
@@ -9541,6 +12291,33 @@ class Run2(Record):
         return self._get("version")  # type: ignore[no-any-return]
 
 
+class RunEntry(Record):
+    """A run of the log."""
+
+    __slots__ = ()
+    _FIELDS = ("name", "sensors", "speed", "weights",)
+
+    @property
+    def name(self) -> str:
+        """Name of the run."""
+        return self._get("name")  # type: ignore[no-any-return]
+
+    @property
+    def sensors(self) -> Records[SensorEntry]:
+        """Its sensors."""
+        return self._all("sensors", SensorEntry)
+
+    @property
+    def speed(self) -> float:
+        """Speed [rad/s]."""
+        return self._get("speed")  # type: ignore[no-any-return]
+
+    @property
+    def weights(self) -> list[tuple[str, FloatArray]]:
+        """What was on the rotor beyond its first state: name of the plane, unbalance on the rotor's circle [kg m]."""
+        return self._as("weights", every(row(one, an_array)), [])  # type: ignore[no-any-return]
+
+
 class RunExtremes(Record):
     """Largest and smallest values over a run, or over its last period."""
 
@@ -9588,6 +12365,33 @@ class RunExtremes(Record):
         return self._all("turn", Bounds)
 
 
+class RunFindings(Record):
+    """What measured runs say."""
+
+    __slots__ = ()
+    _FIELDS = ("condition", "influence", "log", "sensors",)
+
+    @property
+    def condition(self) -> float | None:
+        """Condition of the influence coefficients, with the planes' effects at equal size; 1 is best."""
+        return self._get("condition")  # type: ignore[no-any-return]
+
+    @property
+    def influence(self) -> Records[Influence]:
+        """Effect of each plane on each sensor at each speed."""
+        return self._all("influence", Influence)
+
+    @property
+    def log(self) -> Records[RunEntry]:
+        """Every run, with what the runs before it predicted."""
+        return self._all("log", RunEntry)
+
+    @property
+    def sensors(self) -> Records[SensorPrediction]:
+        """Every sensor at every speed: as the rotor is now, and as predicted with the correction."""
+        return self._all("sensors", SensorPrediction)
+
+
 class RunOutcome(Record):
     """How a run ended."""
 
@@ -9620,9 +12424,9 @@ class RunOutcome(Record):
         return self._get("quantity")  # type: ignore[no-any-return]
 
     @property
-    def reason(self) -> Literal['reached', 'stopped', 'singular'] | dict[str, Any] | None:
+    def reason(self) -> IntegrationOutcome | None:
         """What the integrator says."""
-        return self._get("reason")  # type: ignore[no-any-return]
+        return self._of("reason", IntegrationOutcome)  # type: ignore[no-any-return]
 
 
 class Samples(Record):
@@ -9821,6 +12625,28 @@ class ScatterStudy(Result):
         return self._all("worst_cases", WorstCase)
 
 
+class Seat(Variant):
+    """What a free weight sits on."""
+
+    __slots__ = ()
+    _FIELDS = ("kind", "crankshaft", "shaft",)
+
+    @property
+    def kind(self) -> Literal['crankshaft', 'shaft']:
+        """Which of the variants it is."""
+        return self._kind()  # type: ignore[no-any-return]
+
+    @property
+    def crankshaft(self) -> int | None:
+        """A crankshaft of the engine (its web, flywheel or pulley), by index."""
+        return self._get("crankshaft")  # type: ignore[no-any-return]
+
+    @property
+    def shaft(self) -> int | None:
+        """A shaft of `shafts`, by index."""
+        return self._get("shaft")  # type: ignore[no-any-return]
+
+
 class SectionRatios(Record):
     """Sizes over the pin's diameter D [1]."""
 
@@ -9925,6 +12751,94 @@ class Sensitivity(Result):
         return self._get("weights")  # type: ignore[no-any-return]
 
 
+class SensorEntry(Record):
+    """A sensor in a run of the log."""
+
+    __slots__ = ()
+    _FIELDS = ("measured", "missed", "predicted", "sensor",)
+
+    @property
+    def measured(self) -> ShownVibration:
+        """As measured."""
+        return self._of("measured", ShownVibration)  # type: ignore[no-any-return]
+
+    @property
+    def missed(self) -> float | None:
+        """Measured less predicted: amplitude of the difference as the sensor's detector gives it."""
+        return self._get("missed")  # type: ignore[no-any-return]
+
+    @property
+    def predicted(self) -> ShownVibration | None:
+        """As the runs before predict it; `None` where they do not tell the effect of every weight on the rotor."""
+        return self._of("predicted", ShownVibration)  # type: ignore[no-any-return]
+
+    @property
+    def sensor(self) -> str:
+        """Name of the sensor."""
+        return self._get("sensor")  # type: ignore[no-any-return]
+
+
+class SensorPrediction(Record):
+    """A sensor at one speed."""
+
+    __slots__ = ()
+    _FIELDS = ("after", "limit", "now", "scatter", "sensor", "speed",)
+
+    @property
+    def after(self) -> ShownVibration | None:
+        """With the corrections made as told."""
+        return self._of("after", ShownVibration)  # type: ignore[no-any-return]
+
+    @property
+    def limit(self) -> float | None:
+        """Largest amplitude accepted, as the sensor's detector gives it."""
+        return self._get("limit")  # type: ignore[no-any-return]
+
+    @property
+    def now(self) -> ShownVibration:
+        """As the rotor is now: as measured, or as fitted where the last run's weights were taken off again."""
+        return self._of("now", ShownVibration)  # type: ignore[no-any-return]
+
+    @property
+    def scatter(self) -> float | None:
+        """Standard deviation of one reading as the sensor's detector gives it, from what the fit leaves over; `None` where
+        the runs leave no freedom.
+        """
+        return self._get("scatter")  # type: ignore[no-any-return]
+
+    @property
+    def sensor(self) -> str:
+        """Name of the sensor."""
+        return self._get("sensor")  # type: ignore[no-any-return]
+
+    @property
+    def speed(self) -> float:
+        """Speed [rad/s]."""
+        return self._get("speed")  # type: ignore[no-any-return]
+
+
+class Series(Record):
+    """One quantity over the samples of a run."""
+
+    __slots__ = ()
+    _FIELDS = ("name", "unit", "values",)
+
+    @property
+    def name(self) -> str:
+        """Its name: `crank.momentum`."""
+        return self._get("name")  # type: ignore[no-any-return]
+
+    @property
+    def unit(self) -> str:
+        """Its unit."""
+        return self._get("unit")  # type: ignore[no-any-return]
+
+    @property
+    def values(self) -> FloatArray:
+        """Its values."""
+        return self._array("values")  # type: ignore[no-any-return]
+
+
 class SeriesStatistics(Record):
     """Mean and deviation of one course over time."""
 
@@ -10021,9 +12935,9 @@ class ShaftDesign(Record):
         return self._get("order")  # type: ignore[no-any-return]
 
     @property
-    def removes(self) -> dict[str, Any]:
+    def removes(self) -> Removes:
         """What its weights remove."""
-        return self._get("removes")  # type: ignore[no-any-return]
+        return self._of("removes", Removes)  # type: ignore[no-any-return]
 
     @property
     def sense(self) -> Literal['forward', 'backward']:
@@ -10238,9 +13152,9 @@ class ShapeTask(Record):
         return self._of("settings", DesignSettings)  # type: ignore[no-any-return]
 
     @property
-    def shoulder(self) -> dict[str, Any]:
+    def shoulder(self) -> Shoulder:
         """The flank."""
-        return self._get("shoulder")  # type: ignore[no-any-return]
+        return self._of("shoulder", Shoulder)  # type: ignore[no-any-return]
 
     @property
     def thickness(self) -> Range:
@@ -10273,6 +13187,50 @@ class SharedWithWeb(Record):
     def unbalance(self) -> float:
         """Unbalance [kg m]."""
         return self._get("unbalance")  # type: ignore[no-any-return]
+
+
+class Shoulder(Variant):
+    """How the flank between rectangle and arc is given."""
+
+    __slots__ = ()
+    _FIELDS = ("kind", "angle", "height",)
+
+    @property
+    def kind(self) -> Literal['Angle', 'Height']:
+        """Which of the variants it is."""
+        return self._kind()  # type: ignore[no-any-return]
+
+    @property
+    def angle(self) -> Range | None:
+        """By the angle `delta` between chord and flank [rad], from 0 (a flat step) to less than a quarter turn. The height follows."""
+        return self._of("Angle", Range)  # type: ignore[no-any-return]
+
+    @property
+    def height(self) -> Range | None:
+        """By the height `H` of the trapezoid [m]. The angle follows."""
+        return self._of("Height", Range)  # type: ignore[no-any-return]
+
+
+class ShownVibration(Record):
+    """A vibration as the instrument shows it, and as a vector to be drawn."""
+
+    __slots__ = ()
+    _FIELDS = ("amplitude", "phase", "quantity",)
+
+    @property
+    def amplitude(self) -> float:
+        """Amplitude as the sensor's detector gives it [m, m/s or m/s^2]."""
+        return self._get("amplitude")  # type: ignore[no-any-return]
+
+    @property
+    def phase(self) -> float:
+        """Phase in the convention of the sheet [rad], within [0, 2 pi)."""
+        return self._get("phase")  # type: ignore[no-any-return]
+
+    @property
+    def quantity(self) -> Literal['displacement', 'velocity', 'acceleration']:
+        """What the sensor measures."""
+        return self._get("quantity")  # type: ignore[no-any-return]
 
 
 class Similar(Record):
@@ -10396,6 +13354,26 @@ class SimulationResult(Result):
         return self._get("version")  # type: ignore[no-any-return]
 
 
+class Size(Variant):
+    """Which number of a load over the cycle."""
+
+    __slots__ = ()
+    _FIELDS = ("kind", "order",)
+
+    @property
+    def kind(self) -> Literal['peak', 'mean', 'order']:
+        """Which of the variants it is.
+        `peak`: Largest size over the continuous angle; of what has no angle the size itself.
+        `mean`: Mean: of a torque with its sign, of forces the mean of their size.
+        """
+        return self._kind()  # type: ignore[no-any-return]
+
+    @property
+    def order(self) -> float | None:
+        """Size of one order [cycles per revolution of crankshaft 1]: the largest resultant of that order over the cycle."""
+        return self._get("order")  # type: ignore[no-any-return]
+
+
 class Slope(Record):
     """Derivative of an output by an input, in SI units.
 
@@ -10416,6 +13394,100 @@ class Slope(Record):
     def up(self) -> float:
         """For a larger input."""
         return self._get("up")  # type: ignore[no-any-return]
+
+
+class Slug(Record):
+    """Slugs that may be set into one counterweight."""
+
+    __slots__ = ()
+    _FIELDS = ("crank_density", "density", "diameter", "land", "longest", "radius", "rim", "sector",)
+
+    @property
+    def crank_density(self) -> float:
+        """Density of the crank [kg/m^3]."""
+        return self._get("crank_density")  # type: ignore[no-any-return]
+
+    @property
+    def density(self) -> float:
+        """Its density [kg/m^3]."""
+        return self._get("density")  # type: ignore[no-any-return]
+
+    @property
+    def diameter(self) -> float:
+        """Diameter [m]."""
+        return self._get("diameter")  # type: ignore[no-any-return]
+
+    @property
+    def land(self) -> float:
+        """Least metal between two holes and between a hole and the rim [m]."""
+        return self._get("land")  # type: ignore[no-any-return]
+
+    @property
+    def longest(self) -> float:
+        """Longest length [m]: the counterweight's thickness, or as far as it may be drilled."""
+        return self._get("longest")  # type: ignore[no-any-return]
+
+    @property
+    def radius(self) -> float:
+        """Distance of its axis from the crank axis [m]."""
+        return self._get("radius")  # type: ignore[no-any-return]
+
+    @property
+    def rim(self) -> float:
+        """Outer radius of the counterweight [m]."""
+        return self._get("rim")  # type: ignore[no-any-return]
+
+    @property
+    def sector(self) -> float:
+        """Angle between the outermost slug axes that the counterweight has room for [rad]."""
+        return self._get("sector")  # type: ignore[no-any-return]
+
+
+class SlugPlan(Record):
+    """Slugs for one counterweight."""
+
+    __slots__ = ()
+    _FIELDS = ("added_mass", "directions", "gain_of_one", "gained", "length", "reached", "slug", "wanted",)
+
+    @property
+    def added_mass(self) -> float:
+        """Mass that the counterweight gains [kg]."""
+        return self._get("added_mass")  # type: ignore[no-any-return]
+
+    @property
+    def directions(self) -> FloatArray:
+        """Direction of every slug, in the frame of the crankshaft [rad]."""
+        return self._array("directions")  # type: ignore[no-any-return]
+
+    @property
+    def gain_of_one(self) -> float:
+        """Most that one slug gains, along its own direction [kg m]."""
+        return self._get("gain_of_one")  # type: ignore[no-any-return]
+
+    @property
+    def gained(self) -> FloatArray:
+        """Unbalance gained [kg m]."""
+        return self._array("gained")  # type: ignore[no-any-return]
+
+    @property
+    def length(self) -> float:
+        """Length of every slug [m]."""
+        return self._get("length")  # type: ignore[no-any-return]
+
+    @property
+    def reached(self) -> bool:
+        """Whether the counterweight has room for all that is wanted."""
+        return self._get("reached")  # type: ignore[no-any-return]
+
+    @property
+    def slug(self) -> Slug:
+        """What the slugs are cut from."""
+        return self._of("slug", Slug)  # type: ignore[no-any-return]
+
+    @property
+    def wanted(self) -> FloatArray:
+        """Unbalance that is wanted, in the frame of the crankshaft [kg m]."""
+        return self._array("wanted")  # type: ignore[no-any-return]
 
 
 class Smallest(Record):
@@ -10447,9 +13519,9 @@ class Sobol(Record):
         return self._get("impossible")  # type: ignore[no-any-return]
 
     @property
-    def indices(self) -> list[list[dict[str, Any]]]:
+    def indices(self) -> list[Records[Index]]:
         """By output, then by input. Zero where the output does not vary."""
-        return self._list("indices")  # type: ignore[no-any-return]
+        return self._as("indices", every(record(Index)), [])  # type: ignore[no-any-return]
 
     @property
     def samples(self) -> int:
@@ -10689,9 +13761,9 @@ class Stage(Record):
     _FIELDS = ("terms",)
 
     @property
-    def terms(self) -> list[list[Any]]:
+    def terms(self) -> list[tuple[float, Criterion]]:
         """Positive weights and criteria."""
-        return self._list("terms")  # type: ignore[no-any-return]
+        return self._as("terms", every(row(one, Criterion)), [])  # type: ignore[no-any-return]
 
 
 class StageGiveUp(Record):
@@ -10864,9 +13936,9 @@ class Station2(Record):
         return self._get("inertia")  # type: ignore[no-any-return]
 
     @property
-    def kind(self) -> Literal['ring', 'nose', 'flywheel', 'driven', 'pendulum', 'other'] | dict[str, Any]:
+    def kind(self) -> StationKind:
         """What it is."""
-        return self._get("kind")  # type: ignore[no-any-return]
+        return self._of("kind", StationKind)  # type: ignore[no-any-return]
 
     @property
     def name(self) -> str:
@@ -10877,6 +13949,30 @@ class Station2(Record):
     def ratio(self) -> float:
         """Its speed over that of the reference (crankshaft 1)."""
         return self._get("ratio")  # type: ignore[no-any-return]
+
+
+class StationKind(Variant):
+    """What a station is."""
+
+    __slots__ = ()
+    _FIELDS = ("kind", "throw",)
+
+    @property
+    def kind(self) -> Literal['ring', 'nose', 'throw', 'flywheel', 'driven', 'pendulum', 'other']:
+        """Which of the variants it is.
+        `ring`: The seismic ring of a damper.
+        `nose`: The free end: hub of the damper, pulley.
+        `flywheel`: The flywheel, or the primary side of a dual-mass flywheel.
+        `driven`: Behind the flywheel, or a branch.
+        `pendulum`: A pendulum absorber.
+        `other`: Anything else.
+        """
+        return self._kind()  # type: ignore[no-any-return]
+
+    @property
+    def throw(self) -> int | None:
+        """The throw with this index."""
+        return self._get("throw")  # type: ignore[no-any-return]
 
 
 class StationSweep(Record):
@@ -10894,6 +13990,48 @@ class StationSweep(Record):
     def station(self) -> int:
         """Index of the station."""
         return self._get("station")  # type: ignore[no-any-return]
+
+
+class Statistics(Record):
+    """What runs have cost so far."""
+
+    __slots__ = ()
+    _FIELDS = ("evaluations", "events", "factorisations", "iterations", "jacobians", "rejected", "steps",)
+
+    @property
+    def evaluations(self) -> int:
+        """Evaluations of `f`, those for differences included."""
+        return self._get("evaluations")  # type: ignore[no-any-return]
+
+    @property
+    def events(self) -> int:
+        """Located events."""
+        return self._get("events")  # type: ignore[no-any-return]
+
+    @property
+    def factorisations(self) -> int:
+        """Factorisations of Newton's matrices."""
+        return self._get("factorisations")  # type: ignore[no-any-return]
+
+    @property
+    def iterations(self) -> int:
+        """Newton iterations."""
+        return self._get("iterations")  # type: ignore[no-any-return]
+
+    @property
+    def jacobians(self) -> int:
+        """Jacobians."""
+        return self._get("jacobians")  # type: ignore[no-any-return]
+
+    @property
+    def rejected(self) -> int:
+        """Rejected steps."""
+        return self._get("rejected")  # type: ignore[no-any-return]
+
+    @property
+    def steps(self) -> int:
+        """Accepted steps."""
+        return self._get("steps")  # type: ignore[no-any-return]
 
 
 class StiffnessCentre(Record):
@@ -11271,6 +14409,57 @@ class SweptRoom(Record):
     def theta(self) -> float | None:
         """Angle of crankshaft 1 [rad] at which it does, for a piston."""
         return self._get("theta")  # type: ignore[no-any-return]
+
+
+class Target(Variant):
+    """A load or a result of loads."""
+
+    __slots__ = ()
+    _FIELDS = ("kind", "main_bearing", "crankpin", "piston_pin", "side_thrust", "mount_force", "bending_moment",)
+
+    @property
+    def kind(self) -> Literal['force', 'couple', 'roll-moment', 'torque', 'excess-energy', 'speed-fluctuation', 'main-bearing', 'crankpin', 'piston-pin', 'side-thrust', 'mount-force', 'bending-moment']:
+        """Which of the variants it is.
+        `force`: Resultant inertia force on the block [N].
+        `couple`: Resultant inertia couple on the block about the origin [N m].
+        `roll-moment`: Roll moment of inertia [N m].
+        `torque`: Torque at crankshaft 1 [N m].
+        `excess-energy`: Largest excess energy of that torque at constant speed [J] (book, eq. 25.2).
+        `speed-fluctuation`: Fluctuation of the speed, `(w_max - w_min)/w_mean` [1], under a load that takes the mean torque (book, eq. 25.7).
+        """
+        return self._kind()  # type: ignore[no-any-return]
+
+    @property
+    def main_bearing(self) -> int | None:
+        """Force of the journal on a main bearing [N], by index: those of crankshaft 1 first, each from the free end on; `None`: the
+        largest of all.
+        """
+        return self._get("main-bearing")  # type: ignore[no-any-return]
+
+    @property
+    def crankpin(self) -> int | None:
+        """Force of a rod on its lower pin [N], by cylinder: the crankpin, or the knuckle pin of an articulated rod."""
+        return self._get("crankpin")  # type: ignore[no-any-return]
+
+    @property
+    def piston_pin(self) -> int | None:
+        """Force of a rod on its piston pin [N], by cylinder."""
+        return self._get("piston-pin")  # type: ignore[no-any-return]
+
+    @property
+    def side_thrust(self) -> int | None:
+        """Force of a piston on its cylinder wall [N], by cylinder."""
+        return self._get("side-thrust")  # type: ignore[no-any-return]
+
+    @property
+    def mount_force(self) -> int | None:
+        """Force of the block on a mount [N], of orders up to 8."""
+        return self._get("mount-force")  # type: ignore[no-any-return]
+
+    @property
+    def bending_moment(self) -> int | None:
+        """Largest bending moment along a crankshaft under all that turns with it, as a free beam [N m], by index."""
+        return self._get("bending-moment")  # type: ignore[no-any-return]
 
 
 class ThrowFactor(Record):
@@ -11696,9 +14885,9 @@ class Tolerance(Record):
     _FIELDS = ("distribution", "extent", "half_width", "quantity",)
 
     @property
-    def distribution(self) -> Literal['uniform'] | dict[str, Any]:
+    def distribution(self) -> Distribution:
         """How it is distributed."""
-        return self._get("distribution")  # type: ignore[no-any-return]
+        return self._of("distribution", Distribution)  # type: ignore[no-any-return]
 
     @property
     def extent(self) -> Literal['per-part', 'common']:
@@ -12206,6 +15395,26 @@ class Transmissibility(Record):
         return self._array("ratio")  # type: ignore[no-any-return]
 
 
+class TuneAim(Variant):
+    """What the damper is to keep small, all orders in true phase."""
+
+    __slots__ = ()
+    _FIELDS = ("kind", "torque",)
+
+    @property
+    def kind(self) -> Literal['twist', 'torque', 'stress']:
+        """Which of the variants it is.
+        `twist`: Twist between nose and flywheel [rad].
+        `stress`: Largest shear stress of all shafts whose sections are known [Pa].
+        """
+        return self._kind()  # type: ignore[no-any-return]
+
+    @property
+    def torque(self) -> int | None:
+        """Torque in the shaft with this index [N m]."""
+        return self._get("torque")  # type: ignore[no-any-return]
+
+
 class TunePoint(Record):
     """A point of the curve."""
 
@@ -12230,9 +15439,9 @@ class TunedDamper(Record):
     _FIELDS = ("aim", "curve", "damping", "free", "given", "is_at_end", "locked", "loss_factor", "minima", "peak", "speed", "stiffness",)
 
     @property
-    def aim(self) -> Literal['twist', 'stress'] | dict[str, Any]:
+    def aim(self) -> TuneAim:
         """What is small."""
-        return self._get("aim")  # type: ignore[no-any-return]
+        return self._of("aim", TuneAim)  # type: ignore[no-any-return]
 
     @property
     def curve(self) -> Records[TunePoint]:
@@ -12346,9 +15555,84 @@ class VariedInput(Record):
         return self._get("part")  # type: ignore[no-any-return]
 
     @property
-    def quantity(self) -> Literal['speed', 'spacing', 'rod-inertia', 'pin-offset', 'throw-plane', 'counterweight-plane', 'shaft-weight-plane', 'crankshaft-x', 'crankshaft-y', 'crankshaft-phase', 'knuckle-radius', 'knuckle-angle', 'main-plane', 'shaft-x', 'shaft-y', 'bore', 'gas-pressure', 'crankcase-pressure', 'pressure-delay', 'flywheel-inertia', 'crankshaft-inertia', 'block-mass', 'mount-stiffness', 'mount-loss-factor', 'mount-damping'] | dict[str, Any]:
+    def quantity(self) -> VariedQuantity:
         """Which quantity."""
-        return self._get("quantity")  # type: ignore[no-any-return]
+        return self._of("quantity", VariedQuantity)  # type: ignore[no-any-return]
+
+
+class VariedQuantity(Variant):
+    """A number of the engine."""
+
+    __slots__ = ()
+    _FIELDS = ("kind", "part", "block_centre", "block_inertia", "block_product", "mount_place", "mount_turn", "mount_stiffness_along",)
+
+    @property
+    def kind(self) -> Literal['speed', 'spacing', 'part', 'rod-inertia', 'pin-offset', 'throw-plane', 'counterweight-plane', 'shaft-weight-plane', 'crankshaft-x', 'crankshaft-y', 'crankshaft-phase', 'knuckle-radius', 'knuckle-angle', 'main-plane', 'shaft-x', 'shaft-y', 'bore', 'gas-pressure', 'crankcase-pressure', 'pressure-delay', 'flywheel-inertia', 'crankshaft-inertia', 'block-mass', 'block-centre', 'block-inertia', 'block-product', 'mount-place', 'mount-turn', 'mount-stiffness', 'mount-stiffness-along', 'mount-loss-factor', 'mount-damping']:
+        """Which of the variants it is.
+        `speed`: Speed of crankshaft 1 [rad/s]. The pressures over the angle stay.
+        `spacing`: Distance of the cylinders along the crank [m]: planes of throws, main bearings, cylinders and counterweights stretch about the
+        origin, balance shafts stay.
+        `rod-inertia`: Moment of inertia of a rod about its own centre of gravity [kg m^2], where the file gives it.
+        `pin-offset`: Offset of the piston pin in its piston [m].
+        `throw-plane`: Plane of a throw's own unbalance [m].
+        `counterweight-plane`: Plane of a counterweight [m].
+        `shaft-weight-plane`: Plane of a weight on a balance shaft [m].
+        `crankshaft-x`: Place of the axis of a crankshaft along x [m]; its cylinders move with it.
+        `crankshaft-y`: Place of the axis of a crankshaft along y [m]; its cylinders move with it.
+        `crankshaft-phase`: Angle at which a crankshaft is geared to the first [rad].
+        `knuckle-radius`: Distance of the knuckle pin of an articulated rod from the big end of its master rod [m].
+        `knuckle-angle`: Angle of a knuckle pin from its master rod [rad].
+        `main-plane`: Plane of a main bearing [m].
+        `shaft-x`: Place of a balance shaft along x [m].
+        `shaft-y`: Place of a balance shaft along y [m].
+        `bore`: Bore of a cylinder [m].
+        `gas-pressure`: Factor on the absolute pressure in a cylinder [1]; what is under the piston stays.
+        `crankcase-pressure`: Factor on the absolute pressure under a piston [1].
+        `pressure-delay`: Angle of its crankshaft by which the pressures of a cylinder come later [rad]: an ignition that is late, or a top dead centre
+        that was measured at a wrong angle.
+        `flywheel-inertia`: Moment of inertia of the flywheel [kg m^2].
+        `crankshaft-inertia`: Moment of inertia of the crankshafts, as seen at crankshaft 1 [kg m^2].
+        `block-mass`: Mass of the block [kg].
+        `mount-stiffness`: Factor on the stiffness of a mount in all its directions, its table included [1]; loss factors stay.
+        `mount-loss-factor`: Factor on the loss factors of a mount, its table included [1].
+        `mount-damping`: Factor on the viscous damping of a mount [1].
+        """
+        return self._kind()  # type: ignore[no-any-return]
+
+    @property
+    def part(self) -> Literal['piston-mass', 'big-end-mass', 'small-end-mass', 'rod-centre', 'rod-length', 'crank-radius', 'throw-angle', 'throw-unbalance', 'offset', 'cylinder-plane', 'cylinder-angle', 'counterweight-unbalance', 'counterweight-angle', 'shaft-unbalance', 'shaft-phase'] | None:
+        """What production varies too."""
+        return self._get("part")  # type: ignore[no-any-return]
+
+    @property
+    def block_centre(self) -> Literal['x', 'y', 'z'] | None:
+        """Place of the block's centre of mass [m]."""
+        return self._get("block-centre")  # type: ignore[no-any-return]
+
+    @property
+    def block_inertia(self) -> Literal['x', 'y', 'z'] | None:
+        """Moment of inertia of the block about its centre [kg m^2]."""
+        return self._get("block-inertia")  # type: ignore[no-any-return]
+
+    @property
+    def block_product(self) -> Literal['x', 'y', 'z'] | None:
+        """Product of inertia of the block: that of an axis and the next, xy, yz, zx [kg m^2]."""
+        return self._get("block-product")  # type: ignore[no-any-return]
+
+    @property
+    def mount_place(self) -> Literal['x', 'y', 'z'] | None:
+        """Place of a mount [m]."""
+        return self._get("mount-place")  # type: ignore[no-any-return]
+
+    @property
+    def mount_turn(self) -> Literal['x', 'y', 'z'] | None:
+        """Angle by which a mount with all its directions is turned about an axis of the frame [rad]."""
+        return self._get("mount-turn")  # type: ignore[no-any-return]
+
+    @property
+    def mount_stiffness_along(self) -> Literal['first', 'second', 'third'] | None:
+        """The same in one of its directions."""
+        return self._get("mount-stiffness-along")  # type: ignore[no-any-return]
 
 
 class WebBound(Record):
@@ -12572,9 +15856,9 @@ class WorstCase(Record):
         return self._get("nominal")  # type: ignore[no-any-return]
 
     @property
-    def output(self) -> Literal['peak-force', 'peak-couple'] | dict[str, Any]:
+    def output(self) -> Output:
         """Which."""
-        return self._get("output")  # type: ignore[no-any-return]
+        return self._of("output", Output)  # type: ignore[no-any-return]
 
 
 class Wrench(Record):

@@ -126,14 +126,14 @@ fn read_check(_: &Options<'_>) -> Result<Run, Failure> {
 
 /// Which mesh is asked for; the engine file has a say in what is not.
 #[derive(Clone, Copy)]
-struct AskedMesh {
+pub(super) struct AskedMesh {
     crankshaft: usize,
     size: Option<f64>,
     fillet_elements: Option<usize>,
 }
 
 impl AskedMesh {
-    fn read(options: &Options<'_>) -> Result<AskedMesh, Failure> {
+    pub(super) fn read(options: &Options<'_>) -> Result<AskedMesh, Failure> {
         Ok(AskedMesh {
             crankshaft: options.whole("crankshaft", 0, 100)?.unwrap_or(0) as usize,
             size: options.length("size")?,
@@ -142,7 +142,7 @@ impl AskedMesh {
     }
 
     /// `usual`: elements across a fillet where nobody says how many.
-    fn of(self, own: &Prepared, usual: usize) -> Result<StressMesh, Failure> {
+    pub(super) fn of(self, own: &Prepared, usual: usize) -> Result<StressMesh, Failure> {
         crankshaft_of(own, self.crankshaft)?;
         let usual = CrankMeshOptions { fillet_elements: usual, ..CrankMeshOptions::default() };
         let task = own.file.tasks.stress.as_ref();
@@ -164,8 +164,28 @@ fn crankshaft_of(own: &Prepared, index: usize) -> Result<(), Failure> {
 fn solve(options: &Options<'_>) -> Result<SolveOptions, Failure> {
     let double = options.flag("double")?.unwrap_or(false);
     let precision = if double { Precision::Double } else { Precision::Single };
-    let memory = options.whole("memory", 1 << 20, 1 << 50)?.unwrap_or(8 << 30);
-    Ok(SolveOptions { precision, memory, ..SolveOptions::default() })
+    Ok(SolveOptions { precision, memory: memory(options)?, ..SolveOptions::default() })
+}
+
+/// Bytes that matrix and factor may take.
+pub(super) fn memory(options: &Options<'_>) -> Result<u64, Failure> {
+    Ok(options.whole("memory", 1 << 20, 1 << 50)?.unwrap_or(8 << 30))
+}
+
+/// What lowers the fatigue limits of polished specimens.
+pub(super) fn factors(options: &Options<'_>) -> Result<FatigueFactors, Failure> {
+    let factor = |name: &str| match options.number(name)? {
+        Some(value) if value <= 0.0 => Err(Failure::option(
+            format_args!("`{name}` needs a number above 0, got {value}"),
+            "1 leaves things as they are",
+        )),
+        value => Ok(value.unwrap_or(1.0)),
+    };
+    Ok(FatigueFactors {
+        surface: factor("surface_factor")?,
+        size: factor("size_factor")?,
+        gradient: factor("gradient_factor")?,
+    })
 }
 
 fn support(options: &Options<'_>, usual: CrankSupport) -> Result<CrankSupport, Failure> {
@@ -263,22 +283,11 @@ fn read_modes(options: &Options<'_>) -> Result<Run, Failure> {
 
 fn read_fatigue(options: &Options<'_>) -> Result<Run, Failure> {
     let mesh = AskedMesh::read(options)?;
-    let factor = |name: &str| match options.number(name)? {
-        Some(value) if value <= 0.0 => Err(Failure::option(
-            format_args!("`{name}` needs a number above 0, got {value}"),
-            "1 leaves things as they are",
-        )),
-        value => Ok(value.unwrap_or(1.0)),
-    };
     let request = FatigueRequest {
         support: support(options, CrankSupport::Journals)?,
         speeds: options.speeds("speed")?,
         gas: options.flag("gas")?.unwrap_or(true),
-        factors: FatigueFactors {
-            surface: factor("surface_factor")?,
-            size: factor("size_factor")?,
-            gradient: factor("gradient_factor")?,
-        },
+        factors: factors(options)?,
         instants: options.whole("instants", 8, 3600)?.unwrap_or(72) as usize,
         solve: solve(options)?,
         ..FatigueRequest::default()

@@ -2,18 +2,19 @@
 
 use crate::answer::{Data, Shown};
 use crate::failure::Failure;
+use crate::guard::Watch;
 use crate::options::Options;
 use crate::question::{How, Question, Run};
 use lanchester::bondgraph::{
-    Graph, Notation, causality_text, drawing, equations, equations_latex, equations_text, graph_file,
-    modelica,
+    Cancel, Equations, Graph, Notation, Simulation, SimulationRequest, causality_text, drawing, equations,
+    equations_latex, equations_text, graph_file, modelica,
 };
 use lanchester::file::{StartOfRun, event_from_words, start_from_words};
 use lanchester::model::NamedPoint;
 use lanchester::multibody::{LoadLaw, ReactsOn};
 use lanchester::report::{
-    Condition, CrossCheck, SimulationResult, Table, causality_tables, crosscheck_text, simulation_figures,
-    simulation_tables, simulation_text,
+    Condition, CrossCheck, SimulationResult, Table, bond_graph_figures, causality_tables, crosscheck_text,
+    simulation_figures, simulation_tables, simulation_text,
 };
 use lanchester::{
     BondGraphRequest, CrossCheckRequest, RunLength, SimulateRequest, crosscheck, engine_bond_graph,
@@ -28,29 +29,32 @@ pub(super) const QUESTIONS: [Question; 3] = [
     Question::of::<BondGraph>("bondgraph", How::Long, read_bondgraph),
 ];
 
-fn read_simulate(options: &Options<'_>) -> Result<Run, Failure> {
+/// How long a run is by `revolutions`, `duration` or `periodic`; `None` where none of them is given.
+fn run_length(options: &Options<'_>) -> Result<Option<RunLength>, Failure> {
     let positive = |value: Option<f64>, name: &str, of: &str| match value {
         Some(value) if value <= 0.0 => Err(Failure::option(
             format_args!("`{name}` needs {of} above 0, got {value}"),
-            format_args!("leave `{name}` out for ten revolutions"),
+            format_args!("leave `{name}` out for its usual value"),
         )),
         value => Ok(value),
     };
     let turns = positive(options.number("revolutions")?, "revolutions", "a number")?;
     let time = positive(options.time("duration")?, "duration", "a time")?;
     let periodic = options.flag("periodic")?.unwrap_or(false);
-    let length = match (periodic, turns, time) {
-        (false, None, None) => None,
-        (true, None, None) => Some(RunLength::Periodic),
-        (false, Some(turns), None) => Some(RunLength::Revolutions(turns)),
-        (false, None, Some(time)) => Some(RunLength::Time(time)),
-        _ => {
-            return Err(Failure::option(
-                "`revolutions`, `duration` and `periodic` each say how long a run is, and more than one is given",
-                "give one of them",
-            ));
-        }
-    };
+    match (periodic, turns, time) {
+        (false, None, None) => Ok(None),
+        (true, None, None) => Ok(Some(RunLength::Periodic)),
+        (false, Some(turns), None) => Ok(Some(RunLength::Revolutions(turns))),
+        (false, None, Some(time)) => Ok(Some(RunLength::Time(time))),
+        _ => Err(Failure::option(
+            "`revolutions`, `duration` and `periodic` each say how long a run is, and more than one is given",
+            "give one of them",
+        )),
+    }
+}
+
+fn read_simulate(options: &Options<'_>) -> Result<Run, Failure> {
+    let length = run_length(options)?;
     let load = match options.text("load") {
         Ok(Some(text)) if text.trim() == "none" => Some(LoadLaw::None),
         _ => options.torque("load")?.map(LoadLaw::Constant),
@@ -199,10 +203,61 @@ struct BondGraph {
     modelica: String,
     /// The drawing of the graph with its causality, as SVG.
     drawing: String,
+    /// A run of the graph, where one is asked for.
+    run: Option<Simulation>,
     /// States, and stores that follow others.
     #[serde(skip)]
     #[schemars(skip)]
     tables: Vec<Table>,
+}
+
+/// A run of the graph that is asked for.
+#[derive(Clone, Copy)]
+struct AskedRun {
+    length: Option<RunLength>,
+    samples: Option<usize>,
+    tolerance: Option<f64>,
+    audit: bool,
+}
+
+impl AskedRun {
+    fn read(options: &Options<'_>) -> Result<AskedRun, Failure> {
+        let asked = AskedRun {
+            length: run_length(options)?,
+            samples: options.whole("samples", 1, 1_000_000)?.map(|count| count as usize),
+            tolerance: options.number("tolerance")?,
+            audit: options.flag("audit")?.unwrap_or(false),
+        };
+        if let Some(tolerance) = asked.tolerance.filter(|own| !(1e-13..=1e-2).contains(own)) {
+            return Err(Failure::option(
+                format_args!("`tolerance` is outside 1e-13 to 0.01, got {tolerance}"),
+                "for example tolerance=1e-9",
+            ));
+        }
+        let of_run = [
+            ("samples", asked.samples.is_some()),
+            ("tolerance", asked.tolerance.is_some()),
+            ("audit", asked.audit),
+        ];
+        match of_run.into_iter().find(|(_, is_given)| *is_given) {
+            Some((name, _)) if asked.length.is_none() => Err(Failure::option(
+                format_args!("`{name}` is that of a run, and none is asked for"),
+                "add revolutions=2, duration=\"0.1 s\" or periodic=True",
+            )),
+            _ => Ok(asked),
+        }
+    }
+
+    fn request(self, solved: &Equations, watch: &Watch) -> SimulationRequest {
+        let usual = solved.request();
+        SimulationRequest {
+            samples: self.samples.unwrap_or(usual.samples),
+            tolerance: self.tolerance.unwrap_or(usual.tolerance),
+            audit: self.audit,
+            cancel: Some(Cancel(watch.flag())),
+            ..usual
+        }
+    }
 }
 
 fn read_bondgraph(options: &Options<'_>) -> Result<Run, Failure> {
@@ -210,16 +265,13 @@ fn read_bondgraph(options: &Options<'_>) -> Result<Run, Failure> {
     let gas = options.flag("gas")?.unwrap_or(true);
     let gravity = options.flag("gravity")?.unwrap_or(true);
     let imposed = options.flag("imposed")?;
-    Ok(Box::new(move |engines, _| {
+    let asked = AskedRun::read(options)?;
+    Ok(Box::new(move |engines, watch| {
         let own = &engines[0];
-        let request = BondGraphRequest {
-            speed,
-            gas,
-            gravity,
-            imposed,
-            simulation: own.file.tasks.simulation.as_deref().cloned().unwrap_or_default(),
-            ..BondGraphRequest::default()
-        };
+        let mut simulation = own.file.tasks.simulation.as_deref().cloned().unwrap_or_default();
+        simulation.duration = asked.length.or(simulation.duration);
+        let request =
+            BondGraphRequest { speed, gas, gravity, imposed, simulation, ..BondGraphRequest::default() };
         let traces = if gas { own.traces()? } else { &[] };
         let found = engine_bond_graph(own.engine(), traces, &request).map_err(Failure::refused)?;
         let file = graph_file(&found.description);
@@ -237,14 +289,22 @@ fn read_bondgraph(options: &Options<'_>) -> Result<Run, Failure> {
             latex: equations_latex(&solved.shown(Notation::Latex)),
             modelica: modelica(&solved),
             drawing: drawing(&graph, &solved.causality),
+            run: asked.length.map(|_| solved.simulate(&asked.request(&solved, watch))),
             graph: file.clone(),
         };
         Ok(Data::new(
             answer,
             own,
             Shown {
-                text: |found, _| format!("{}\n{}", found.causality, found.equations),
+                text: |found, _| {
+                    let words = format!("{}\n{}", found.causality, found.equations);
+                    match &found.run {
+                        Some(run) => format!("{words}\n{}", lanchester::bondgraph::simulation_text(run)),
+                        None => words,
+                    }
+                },
                 tables: |found, _| found.tables.clone(),
+                figures: |found, _| found.run.as_ref().map_or_else(Vec::new, bond_graph_figures),
                 drawing: |found| {
                     let title = format!("Bond graph of {}", found.engine);
                     Some(["bond-graph".to_owned(), title, found.drawing.clone()])
