@@ -216,6 +216,69 @@ def test_a_restarted_cluster_loses_nothing(client: Any, single: Path, tmp_path: 
     assert contents(folder) == contents(single)
 
 
+def test_missing_blocks_are_named() -> None:
+    named = lanchester.dask._blocks_of
+    assert named([(2, 3)], 24) == "block 3 of 24 is" and named([(4, 5), (2, 4), (8, 9)], 24) == "blocks 3 to 5 and 9 of 24 are"
+    assert named([(2 * own, 2 * own + 1) for own in range(10)], 24) == "blocks 1, 3, 5, 7, 9, 11, 13, 15 and 2 more stretches of 24 are"
+    with pytest.raises(RequestError, match="`sheet` is a sheet"):
+        sheet = lanchester.WorkshopSheet.from_dict({"name": "rotor"})
+        lanchester.dask.map("crank_unbalance", [FOUR], "static_unbalance[0]", "nowhere", sheet=sheet)
+
+
+def wait_for(folder: Path, count: int, process: Any) -> None:
+    while len(contents(folder)) < count:
+        assert process.poll() is None, "the scheduler ended by itself"
+        time.sleep(0.005)
+
+
+def test_a_dead_scheduler_loses_nothing(cluster: Any, single: Path, tmp_path: Path) -> None:
+    """A scheduler of its own process is killed with blocks at work; a client of another cluster goes on from the tables."""
+    folder, place = tmp_path / "sweep", tmp_path / "scheduler.json"
+    line = [sys.executable, "-m", "distributed.cli.dask_scheduler", "--host", "127.0.0.1", "--port", "0", "--no-dashboard", "--scheduler-file", str(place)]
+    quiet: dict[str, Any] = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
+    scheduler = subprocess.Popen(line, **quiet)
+    workers: list[Any] = []
+    try:
+        while not (place.exists() and place.read_text()):
+            assert scheduler.poll() is None, "the scheduler has not started"
+            time.sleep(0.01)
+        worker = [sys.executable, "-m", "distributed.cli.dask_worker", "--scheduler-file", str(place), "--nthreads", "1", "--no-dashboard", "--no-nanny", "--death-timeout", "20"]
+        workers = [subprocess.Popen(worker, cwd=tmp_path, **quiet) for _ in range(2)]
+        client = distributed.Client(scheduler_file=str(place), timeout="60s")
+        client.wait_for_workers(2, timeout=60)
+        done: list[int] = []
+
+        def kill() -> None:
+            wait_for(folder, 4, scheduler)
+            scheduler.kill()
+            done.append(len(contents(folder)))
+
+        killing = threading.Thread(target=kill)
+        killing.start()
+        with pytest.raises(lanchester.LanchesterError) as caught:
+            sweep(folder, client)
+        killing.join()
+        client.close(timeout=1)
+    finally:
+        for process in (scheduler, *workers):
+            process.kill()
+            process.wait()
+    assert 4 <= done[0] < 24, f"killed with {done} of 24 tables done"
+    # What is missing is said by its blocks and its place, and how to go on.
+    message, kept = caught.value.message, contents(folder)
+    assert "the scheduler has died" in message and message.endswith(f"of 24 are missing in {folder}")
+    assert caught.value.hint is not None and "the same call with a new client goes on" in caught.value.hint
+    before = {path.name: path.stat().st_mtime_ns for path in folder.glob("*.parquet")}
+    with distributed.Client(cluster, timeout="60s") as own:
+        own.wait_for_workers(3, timeout=60)
+        found = sweep(folder, own)
+    assert len(found.computed) == 24 - len(before) == 24 - len(kept), "something was lost, or computed twice"
+    assert f"; {lanchester.dask._blocks_of(found.computed, 24)} missing" in message
+    assert {name: (folder / name).stat().st_mtime_ns for name in before} == before, "what was done was computed again"
+    assert contents(folder) == contents(single)
+    assert found.to_dataframe()["case"].tolist() == list(range(384))
+
+
 def hide() -> None:
     import sys
 

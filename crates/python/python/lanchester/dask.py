@@ -41,6 +41,9 @@ PARTS = 256
 LONELY = 30.0
 """After so many seconds without a worker it is said that there is none [s]."""
 
+NAMED = 8
+"""So many stretches of blocks are named at most in a message."""
+
 TRIES = 5
 """So often is a block computed whose worker or future got lost before it is given up."""
 
@@ -417,6 +420,24 @@ def _remote() -> Any:
     return types.FunctionType(code, {"__name__": "__main__", "__builtins__": __builtins__}, code.co_name)
 
 
+def _blocks_of(stretches: Sequence[tuple[int, int]], of: int) -> str:
+    """Stretches of blocks in words, neighbours as one: "blocks 3 to 5 and 9 of 24 are"."""
+    joined: list[list[int]] = []
+    for first, end in sorted(stretches):
+        if joined and joined[-1][1] == first:
+            joined[-1][1] = end
+        else:
+            joined.append([first, end])
+    count = sum(end - first for first, end in joined)
+    if count == 0:
+        return f"some of {of} blocks may be"
+    names = [f"{end}" if end == first + 1 else f"{first + 1} to {end}" for first, end in joined]
+    if len(names) > NAMED:
+        names = [*names[:NAMED], f"{len(names) - NAMED} more stretches"]
+    words = names[0] if len(names) == 1 else f"{', '.join(names[:-1])} and {names[-1]}"
+    return f"block{'s' if count > 1 else ''} {words} of {of} {'are' if count > 1 else 'is'}"
+
+
 class _Cluster:
     """A study on the workers of a client: as many blocks at a time as keep them busy."""
 
@@ -448,7 +469,9 @@ class _Cluster:
                 except (TimeoutError, distributed.CancelledError):
                     self._lost()
                 for future in [own for own in self.running if own.status != "pending"]:
-                    self._end(future, self.running.pop(future))
+                    # It counts as running until its table is there: what is missing is told where the scheduler dies meanwhile.
+                    self._end(future, self.running[future])
+                    del self.running[future]
         except LanchesterError:
             raise
         except Exception as error:
@@ -470,11 +493,11 @@ class _Cluster:
         return getattr(self.client, "status", "running") == "running"
 
     def _gone(self, error: BaseException | None = None) -> LanchesterError:
-        left = len(self.waiting) + len(self.running)
         why = f" ({type(error).__name__}: {error})" if error is not None and str(error) else ""
+        left = [*self.waiting, *self.running.values()]
         return LanchesterError(
-            f"the client of the cluster is {getattr(self.client, 'status', 'gone')}: it was closed, or the scheduler has died{why}; {left or 'some'} "
-            f"stretch{'es' if left != 1 else ''} of blocks {'are' if left != 1 else 'is'} missing in {self.folder}",
+            f"the client of the cluster is {getattr(self.client, 'status', 'gone')}: it was closed, or the scheduler has died{why}; "
+            f"{_blocks_of(left, self.study.blocks)} missing in {self.folder}",
             "finished blocks stay: the same call with a new client goes on, and computes what is missing and nothing else",
         )
 
