@@ -15,6 +15,7 @@ import lanchester
 import lanchester.dask
 import lanchester.results
 from lanchester import Result, errors
+from lanchester._record import Matrices, Variant
 
 FUNCTIONS = """# Python: reference
 
@@ -109,7 +110,8 @@ def structure(kind: type, level: str, prefix: str) -> str:
 
 def functions() -> str:
     own: list[Callable[..., Any]] = [lanchester.map, lanchester.compare, lanchester.adopt]
-    kinds = [lanchester.Engine, lanchester.Variants, lanchester.Result, lanchester.Record, lanchester.Records, lanchester.Table, lanchester.Picture]
+    kinds = [lanchester.Engine, lanchester.WorkshopSheet, lanchester.Variants]
+    kinds += [lanchester.Result, lanchester.Record, Variant, Matrices, lanchester.Records, lanchester.Table, lanchester.Picture]
     out = FUNCTIONS + "\n## Functions\n" + "".join(function(f"lanchester.{one.__name__}", one, "###") for one in own)
     out += "".join(structure(kind, "##", "") for kind in kinds)
     out += "\n## Errors\n" + "".join(structure(getattr(errors, name), "###", "") for name in errors.__all__)

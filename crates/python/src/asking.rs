@@ -4,10 +4,11 @@ use crate::answer::Answer;
 use crate::failure::Failure;
 use crate::guard::{Watch, unlocked, waited_for};
 use crate::native_engine::NativeEngine;
+use crate::native_sheet::NativeSheet;
 use crate::options::Options;
 use crate::prepared::Prepared;
 use crate::question::How;
-use crate::questions::question;
+use crate::questions::{question, sheet_question};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::sync::Arc;
@@ -41,6 +42,13 @@ fn answer(
         }
     };
     Ok(found.into())
+}
+
+/// The answer to a question about a workshop sheet.
+#[pyfunction]
+pub fn ask_sheet(py: Python<'_>, name: &str, sheet: PyRef<'_, NativeSheet>) -> PyResult<Answer> {
+    let (question, read) = (sheet_question(name)?, sheet.read.clone());
+    Ok(unlocked(py, || (question.run)(&read))?.into())
 }
 
 /// Seconds of one answer without Python: what the cost of a call is compared with.

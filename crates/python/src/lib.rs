@@ -39,6 +39,8 @@ mod _native {
     #[pymodule_export]
     use super::asking::ask_all;
     #[pymodule_export]
+    use super::asking::ask_sheet;
+    #[pymodule_export]
     use super::asking::kernel_time;
     #[pymodule_export]
     use super::asking::panics;

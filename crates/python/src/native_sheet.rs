@@ -1,11 +1,9 @@
 //! A workshop sheet as Python holds it.
 
-use crate::answer::Answer;
 use crate::failure::{Failure, diagnostics};
 use crate::from_python::sheet_text;
 use crate::guard::unlocked;
 use crate::prepared::{Prepared, sheet_file_text};
-use crate::questions::sheet_question;
 use lanchester::file::Diagnostic;
 use lanchester::file::workshop::read_sheet;
 use lanchester::model::Engine;
@@ -115,11 +113,5 @@ impl NativeSheet {
     /// Warnings of its reader.
     fn warnings<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyList>> {
         diagnostics(py, &self.read.text, &self.read.warnings)
-    }
-
-    /// The answer to a question.
-    fn ask(&self, py: Python<'_>, name: &str) -> PyResult<Answer> {
-        let question = sheet_question(name)?;
-        Ok(unlocked(py, || (question.run)(&self.read))?.into())
     }
 }

@@ -250,7 +250,8 @@ def test_the_workshop_answers_as_on_the_command_line(line: list[str], ask: Any) 
 
 def test_a_crank_in_its_bearings_is_that_of_the_command_line(tmp_path: Path) -> None:
     engine = Engine.template("single").complete().with_({"crank.body.pin_fillet": "5 mm", "crank.body.journal_fillet": None})
-    file, mesh = engine.save(tmp_path / "single.toml"), {"size": "30 mm", "fillet_elements": 2}
+    file = engine.save(tmp_path / "single.toml")
+    mesh: dict[str, Any] = {"size": "30 mm", "fillet_elements": 2}
     found = engine.stress_cycle(bearings=["bushing", "rigid"], speed=300.0, modes=6, damping="2 %", instants=72, cycles=4, surface_factor=0.8, **mesh)
     worst = {run.law: max(run.fillets, key=lambda own: own.peak) for run in found.runs}
     assert list(worst) == ["bushing", "rigid"] and all(run.outcome.kind in ("periodic", "not_periodic") for run in found.runs)

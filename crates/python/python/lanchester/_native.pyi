@@ -3,7 +3,7 @@ from os import PathLike
 from pathlib import Path
 from typing import Any, final
 
-__all__ = ["VERSION", "Answer", "Engine", "Sheet", "Study", "ask_all", "decimal_points", "held", "map", "study", "path_steps", "schemas", "panics", "kernel_time"]
+__all__ = ["VERSION", "Answer", "Engine", "Sheet", "Study", "ask_all", "ask_sheet", "decimal_points", "held", "map", "study", "path_steps", "schemas", "panics", "kernel_time"]
 
 VERSION: str
 
@@ -63,7 +63,6 @@ class Sheet:
     @property
     def name(self) -> str: ...
     def warnings(self) -> list[Any]: ...
-    def ask(self, name: str) -> Answer: ...
 
 @final
 class Study:
@@ -92,6 +91,7 @@ def decimal_points(key: str, has_unit: bool, cells: Sequence[str]) -> list[tuple
 def path_steps(path: str) -> list[str | int]: ...
 def held(path: str | PathLike[str]) -> tuple[dict[str, str], int, int, int]: ...
 def ask_all(name: str, engines: Sequence[Engine], options: dict[str, Any]) -> Answer: ...
+def ask_sheet(name: str, sheet: Sheet) -> Answer: ...
 def map(
     name: str,
     engines: Sequence[Engine],

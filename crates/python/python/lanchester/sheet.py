@@ -184,7 +184,7 @@ class WorkshopSheet:
         return self._ask("sheet_internal", InternalBalance)
 
     def _ask(self, name: str, kind: type[Q]) -> Q:
-        return kind._made(self._native.ask(name), ())
+        return kind._made(_native.ask_sheet(name, self._native), ())
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, WorkshopSheet) and (self.text, self._native.folder) == (other.text, other._native.folder)
