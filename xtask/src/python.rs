@@ -104,8 +104,10 @@ pub fn run(arguments: &[String]) -> Result<String> {
             .args(["-m", "mypy.stubtest", "lanchester._native"])
             .current_dir(scratch("stubs")?),
     )?;
-    let notebooks =
-        quiet(Command::new(&python).arg("crates/python/notebooks/execute.py").current_dir(root()))?;
+    // The lessons of the book are the notebooks as they ran.
+    let mut execute = Command::new(&python);
+    execute.arg("crates/python/notebooks/execute.py").args(write.then_some("--lessons"));
+    let notebooks = quiet(execute.current_dir(root()))?;
     let last =
         |text: &str| text.lines().rfind(|line| !line.trim().is_empty()).unwrap_or_default().trim().to_owned();
     Ok(format!("{}; {}", last(&tests), last(&notebooks)))
