@@ -1130,7 +1130,8 @@ class Engine:
         journals beside it, is solved again with more elements across its fillets (`submodel_elements`, else 6 as a rule); `memory` [byte].
 
         >>> from lanchester import Engine
-        >>> found = Engine.template("single").complete().stress(angle=0.0, size="20 mm", fillet_elements=2)
+        >>> engine = Engine.template("single").complete().with_({"crank.body.pin_fillet": "5 mm", "crank.body.journal_fillet": "5 mm"})
+        >>> found = engine.stress(angle=0.0, size="20 mm", fillet_elements=2)
         >>> max(peak.stress.von_mises for peak in found.cases[0].result.peaks) > 0
         True
         """
