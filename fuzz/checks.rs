@@ -257,7 +257,7 @@ const TASKS: [&str; 3] = [
     "name = \"single\"\nspeed = \"6000 rpm\"\n[layout]\ntype = \"in-line\"\ncylinders = 1\nspacing = \"90 mm\"\n\
      [crank]\nstroke = \"66 mm\"\nunbalance = \"10 g m\"\n[piston]\nmass = \"0.3 kg\"\n[rod]\nlength = \"120 mm\"\nmass = \"0.35 kg\"\n\
      [[mount]]\nx = \"0 mm\"\ny = \"-80 mm\"\nz = \"0 mm\"\n[[mount]]\nx = \"0 mm\"\ny = \"90 mm\"\nz = \"40 mm\"\n\
-     [balance]\nminimise = [\"force\"]\nlimits = { \"roll moment\" = \"90 N m\" }\n\
+     [balance]\nminimise = [\"force\"]\nlimits = { \"roll moment\" = \"120 N m\" }\n\
      [[balance.counterweight]]\nthrow = 1\nmost = \"30 g m\"\n\
      [[balance.shaft]]\nratio = -1\nx = \"10 mm\"\ny = \"70 mm\"\nweights = [{ z = \"0 mm\", most = \"9 g m\" }]\n",
     "name = \"twin\"\nspeed = \"7000 rpm\"\n[layout]\ntype = \"in-line\"\ncylinders = 2\nspacing = \"90 mm\"\n\

@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 /// What wheel, tests and notebooks need from PyPI. The oldest versions that are known to do; numpy's types need 2.
-const PACKAGES: [&str; 19] = [
+const PACKAGES: [&str; 20] = [
     "maturin>=1.16,<2",
     "numpy>=2",
     "pytest>=9",
@@ -20,6 +20,7 @@ const PACKAGES: [&str; 19] = [
     "pandas>=2.2",
     "pyarrow>=18",
     "duckdb>=1.1",
+    "polars>=1",
     "nbclient>=0.10",
     "nbformat>=5.10",
     "ipykernel>=6",

@@ -35,6 +35,12 @@ impl<'py> Options<'py> {
         Ok(self.given.get_item(name)?.filter(|value| !value.is_none()))
     }
 
+    /// Whether an argument says something: neither nothing, 0, False nor an empty list.
+    pub fn is_given(&self, name: &str) -> bool {
+        // An array has no truth value, and is one.
+        self.get(name).ok().flatten().is_some_and(|value| value.is_truthy().unwrap_or(true))
+    }
+
     /// A quantity: a number in SI units, or a text that `read` reads. `due` says what it is: "a speed".
     fn quantity(
         &self,
@@ -137,12 +143,64 @@ impl<'py> Options<'py> {
         self.of(name, "a time", "s", option::time)
     }
 
-    /// A stiffness [N/m].
+    /// A stiffness above 0 [N/m].
     pub fn stiffness(&self, name: &str) -> Result<Option<f64>, Failure> {
         fn read(text: &str, option: &str) -> Result<f64, BadQuantity> {
             option::of_dimension(text, Dimension::Stiffness, units::Bound::Positive, option)
         }
         self.of(name, "a stiffness", "N/m", read)
+    }
+
+    /// Stiffnesses [N/m] along x and y: one for all, or a list with an entry for each, a stiffness or a pair of x and y; 0 does not hold.
+    pub fn stiffness_pairs(&self, name: &str) -> Result<Vec<[f64; 2]>, Failure> {
+        fn read(text: &str, option: &str) -> Result<f64, BadQuantity> {
+            option::of_dimension(text, Dimension::Stiffness, units::Bound::NotNegative, option)
+        }
+        let one = |value: &Bound<'py, PyAny>| self.quantity(name, value, "a stiffness", "N/m", read);
+        let pair = |value: &Bound<'py, PyAny>| {
+            let is_pair = value.is_instance_of::<PyTuple>() || value.is_instance_of::<PyList>();
+            match if is_pair { iterated(value, name)? } else { vec![value.clone()] }.as_slice() {
+                [both] => one(both).map(|both| [both; 2]),
+                [x, y] => Ok([one(x)?, one(y)?]),
+                parts => Err(Failure::option(
+                    format_args!(
+                        "an entry of `{name}` needs one stiffness, or two along x and y, got {}",
+                        parts.len()
+                    ),
+                    format_args!("write {name}=[\"500 kN/mm\", (\"500 kN/mm\", \"300 kN/mm\")]"),
+                )),
+            }
+        };
+        let found: Vec<[f64; 2]> = self.entries(name)?.iter().map(pair).collect::<Result<_, _>>()?;
+        match found.iter().flatten().find(|own| **own < 0.0) {
+            Some(got) => Err(Failure::option(
+                format_args!("`{name}` needs stiffnesses of 0 or more, got {got}"),
+                "0 leaves a journal free",
+            )),
+            None => Ok(found),
+        }
+    }
+
+    /// Forces on pins: index of the throw, radial and tangential force [N] each, the second of which may be left out.
+    pub fn pin_forces(&self, name: &str) -> Result<Vec<(usize, f64, f64)>, Failure> {
+        fn read(text: &str, option: &str) -> Result<f64, BadQuantity> {
+            option::of_dimension(text, Dimension::Force, units::Bound::Any, option)
+        }
+        let Some(value) = self.get(name)? else { return Ok(Vec::new()) };
+        let force = |value: &Bound<'py, PyAny>| self.quantity(name, value, "a force", "N", read);
+        iterated(&value, name)?
+            .iter()
+            .map(|entry| match iterated(entry, name)?.as_slice() {
+                [pin, radial] => Ok((whole(pin, name, 0, 10_000)? as usize, force(radial)?, 0.0)),
+                [pin, radial, tangential] => {
+                    Ok((whole(pin, name, 0, 10_000)? as usize, force(radial)?, force(tangential)?))
+                }
+                parts => Err(Failure::option(
+                    format_args!("an entry of `{name}` needs a throw and its forces, got {} values", parts.len()),
+                    format_args!("write {name}=[(0, \"-65 kN\", \"10.7 kN\")]: index of the throw, radial and tangential force"),
+                )),
+            })
+            .collect()
     }
 
     /// An unbalance [kg m].

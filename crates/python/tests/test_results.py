@@ -273,6 +273,69 @@ def test_a_crank_in_its_bearings_is_that_of_the_command_line(tmp_path: Path) -> 
     assert {key for run in own["runs"] for key in run} == {key for run in printed["runs"] for key in run}
 
 
+STRESS: list[tuple[list[str], dict[str, Any]]] = [
+    (["--force", "1: -65 kN, 10.7 kN"], {"force": [(0, "-65 kN", 10.7e3)]}),
+    (["--angle", "24 deg", "--speed", "3000 rpm", "--support", "rings", "--ring-thickness", "6 mm"], {"angle": "24 deg", "speed": "3000 rpm", "support": "rings", "ring_thickness": 6e-3}),
+    (
+        ["--angle", "24 deg", "--speed", "3000 rpm", "--support", "springs", "--stiffness", "500 kN/mm : 300 kN/mm, 400 kN/mm"],
+        {"angle": "24 deg", "speed": "3000 rpm", "support": "springs", "stiffness": [("500 kN/mm", 3e8), "400 kN/mm"]},
+    ),
+    (["--angle", "24 deg", "--speed", "3000 rpm", "--loads", "simulation"], {"angle": "24 deg", "speed": "3000 rpm", "loads": "simulation"}),
+]
+
+
+@pytest.mark.parametrize(("line", "options"), STRESS, ids=[" ".join(own[0]) for own in STRESS])
+def test_static_stress_takes_what_the_command_takes(tmp_path: Path, line: list[str], options: dict[str, Any]) -> None:
+    engine = Engine.template("single").complete().with_({"crank.body.pin_fillet": "5 mm", "crank.body.journal_fillet": None})
+    found = engine.stress(size="30 mm", fillet_elements=2, **options)
+    peaks = [peak.stress.von_mises for case in found.cases for peak in case.result.peaks if peak.stress is not None]
+    assert len(found.cases) == 1 and max(peaks) > 1e6
+    if PROGRAM is None:
+        pytest.skip("LANCHESTER_PROGRAM names no program; `cargo xtask python` does")
+    file = engine.save(tmp_path / "single.toml")
+    asked = [PROGRAM, "stress", "static", str(file), "--size", "30 mm", "--fillet-elements", "2", *line, "--format", "json"]
+    printed = json.loads(subprocess.run(asked, capture_output=True, text=True, encoding="utf-8", check=True).stdout)
+    told = [peak["stress"]["von_mises"] for case in printed["cases"] for peak in case["result"]["peaks"] if peak["stress"] is not None]
+    np.testing.assert_allclose(peaks, told, rtol=1e-9)
+    assert [case.name for case in found.cases] == [case["name"] for case in printed["cases"]]
+
+
+def test_what_the_crankshaft_does_not_take_is_refused_with_words() -> None:
+    single = Engine.template("single").complete()
+    wrong: list[tuple[Any, str]] = [
+        (lambda: single.stress(force=[(0, "1 kN")], loads="simulation"), "no effect on forces"),
+        (lambda: single.stress(force=[(0,)]), "a throw and its forces"),  # type: ignore[list-item]
+        (lambda: single.stress(case="first", angle=0.0), "beside `case`"),
+        (lambda: single.stress(case="first"), "first"),
+        (lambda: single.stress(stiffness="1 kN/mm"), "support=\"springs\""),
+        (lambda: single.stress(support="springs"), "needs the stiffness"),
+        (lambda: single.stress(support="springs", stiffness=[-1.0]), "0 or more"),
+        (lambda: single.stress(ring_modulus="70 GPa"), "support=\"rings\""),
+        (lambda: single.strength(torsion=True, torsional_vibration="10 N m"), "leave out one"),
+        (lambda: single.strength(memory=1 << 30), "finite elements"),
+        (lambda: single.bondgraph(joint_damping=0.1), "compliant joints"),
+        (lambda: single.bondgraph(method="implicit"), "that of a run"),
+    ]
+    for ask, words in wrong:
+        with pytest.raises(RequestError) as caught:
+            ask()
+        assert words in f"{caught.value} {caught.value.hint}", str(caught.value)
+
+
+def test_a_graph_takes_what_the_command_takes() -> None:
+    three = Engine.read(EXAMPLES / "three-cylinder.toml")
+    fixed = three.bondgraph(block="fixed")
+    assert "block_x" in three.bondgraph().graph and "block_x" not in fixed.graph and "mount" not in fixed.graph
+    assert "Gas" in three.bondgraph(block="fixed", gas_states=True).graph
+    compliant = three.bondgraph(block="fixed", joints="compliant", skirt_offset="-10 mm", imposed=True)
+    assert len(compliant.graph) > len(fixed.graph) and "skirt" in compliant.graph
+    loaded = Engine.template("single").bondgraph(load="20 N m", duration="5 ms", method="implicit")
+    assert loaded.run is not None and [str(own) for own in loaded.run.methods] == ["implicit"] and "load" in loaded.graph
+    rule = Engine.template("in-line-4").complete()
+    with_it, without = rule.strength(torsion=True, speed="3000 rpm"), rule.strength(torsion=False, speed="3000 rpm")
+    assert with_it.to_text() != without.to_text()
+
+
 def test_a_reduced_model_is_matrices_that_numpy_and_the_command_line_share(tmp_path: Path) -> None:
     engine = Engine.template("single").complete().with_({"crank.body.pin_fillet": None, "crank.body.journal_fillet": None})
     found = engine.reduced_model(6, size="20 mm", fillet_elements=2)
@@ -334,13 +397,17 @@ def test_paths_lead_to_single_values() -> None:
         loads.pick("total..orders")
 
 
-def test_tables_go_to_pandas_arrow_and_duckdb() -> None:
+def test_tables_go_to_pandas_polars_arrow_and_duckdb() -> None:
     import duckdb
+    import polars
 
     table = Engine.template("in-line-4").loads().table("peaks")
     frame = table.to_dataframe()
     assert list(frame.columns) == table.to_arrow().column_names and len(frame) == len(table)
     assert any("[deg]" in name for name in frame.columns)
+    same = polars.DataFrame(table)
+    assert same.columns == list(frame.columns) and same.height == len(table)
+    np.testing.assert_array_equal(same[:, -1].to_numpy(), frame.iloc[:, -1].to_numpy())
     connection = duckdb.connect()
     connection.register("peaks", table.to_arrow())
     [(count,)] = connection.execute("select count(*) from peaks").fetchall()

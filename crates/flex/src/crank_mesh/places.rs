@@ -53,25 +53,27 @@ impl<'a> Places<'a> {
         let mut faces = Vec::with_capacity(2 * bars.len());
         for (index, bar) in bars.iter().enumerate() {
             for end in 0..2 {
+                // A bar that touches it there, at an end of the crankshaft: both share the points of this plane.
+                let z = bar.faces[end];
+                let next = if end == 0 { index.checked_sub(1) } else { Some(index + 1) };
+                let next = next.filter(|next| {
+                    bars.get(*next).is_some_and(|next| (next.faces[1 - end] - z).abs() < TINY)
+                });
                 let mut circles = BTreeMap::new();
                 let mut add = |centre: Point, radius: f64| {
                     if let Some(circle) = core.find(centre, radius) {
                         circles.insert(circle, radius);
                     }
                 };
-                add(bar.centre, bar.radius);
+                for bar in [Some(index), next].into_iter().flatten().map(|bar| &bars[bar]) {
+                    add(bar.centre, bar.radius);
+                }
                 layer_radii(bar.radius, bar.fillets[end], layers).for_each(|radius| add(bar.centre, radius));
                 let beside = nets[2 * index + end];
                 let through = beside.iter().flat_map(|beside| beside.bores).map(|bar| &bars[*bar]);
                 for own in std::iter::once(bar).filter(|bar| bar.bore > 0.0).chain(through) {
                     add(own.centre, own.bore);
                 }
-                // Its own rim, and that of a step that begins at this face.
-                let z = bar.faces[end];
-                let next = if end == 0 { index.checked_sub(1) } else { Some(index + 1) };
-                let next = next.filter(|next| {
-                    bars.get(*next).is_some_and(|next| (next.faces[1 - end] - z).abs() < TINY)
-                });
                 let here: Vec<&Rim> =
                     [Some(index), next].into_iter().filter_map(|bar| rims[bar?].as_ref()).collect();
                 let moved = displacements(&bar.name, core, points, &circles, beside, &here)?;

@@ -333,7 +333,11 @@ fn rims(sweep: &Sweep, core: &Core<'_>) -> Result<Vec<Option<Rim>>, FlexError> {
         // A solid step has no triangles in the bore of its journal.
         let rim = journal.filter(|journal| journal.bore == 0.0).and_then(|journal| {
             let outer = core.circles.circle(journal.centre, journal.radius);
-            let taken = rims.iter().flatten().flat_map(|rim| &rim.edges).flatten().copied().collect();
+            // Steps at one end of the crankshaft share a plane.
+            let end = |bar: &Bar| bar.set.starts_with("NOSE_");
+            let own = core.bars.iter().zip(&rims).filter(|(other, _)| end(other) == end(bar));
+            let own = own.filter_map(|(_, rim)| rim.as_ref());
+            let taken = own.flat_map(|rim| &rim.edges).flatten().copied().collect();
             Rim::of(bar, core.net, &sweep.pick(core.net, |at| outer.contains(at)), &taken)
         });
         let crowded = || crowded(core.bars, bar.centre, format!("no room for the circle of {}", bar.name));

@@ -28,11 +28,16 @@ fn engine(weights: &str) -> Engine {
 
 /// The mesh with fillets, which conforms, and without, which has the mass of the exact body.
 fn meshed(name: &str, engine: &Engine) -> CrankMesh {
+    meshed_to(name, engine, 1e-5)
+}
+
+/// The same, to this share.
+fn meshed_to(name: &str, engine: &Engine, most: f64) -> CrankMesh {
     let mesh = |fillets: bool| crank_mesh(engine, 0, CrankMeshOptions { fillets, ..SIZES });
     let sharp = mesh(false).unwrap_or_else(|error| panic!("{name}: {error}"));
     check_closed(name, &sharp);
     let off = differences(engine, &sharp);
-    assert!(off.iter().all(|off| *off < 1e-5), "{name}: {off:?}");
+    assert!(off.iter().all(|off| *off < most), "{name}: {off:?}");
     let crank = mesh(true).unwrap_or_else(|error| panic!("{name}: {error}"));
     check_closed(name, &crank);
     println!("{name}: {off:?} {:?} {:?}", crank.quality, crank.left_out);
@@ -120,7 +125,8 @@ fn nose_and_flange_are_meshed() {
     let bare = meshed("no ends", &engine(""));
     for (nose, flange) in [("36 mm", "96 mm"), ("34 mm", "40 mm"), ("80 mm", "70 mm"), ("55 mm", "55 mm")] {
         let name = format!("{nose} and {flange}");
-        let crank = meshed(&name, &ends(nose, flange));
+        // Parabolas over some 20 degrees of a nose enclose less than its arcs.
+        let crank = meshed_to(&name, &ends(nose, flange), 3e-5);
         assert!(crank.left_out.is_empty(), "{name}: {:?}", crank.left_out);
         let z = |set: &str| crank.mesh.nodes[crank.mesh.set(set).unwrap().nodes[0] as usize][2];
         let length = z("FLYWHEEL") - z("FREE_END");

@@ -59,6 +59,7 @@ Quantity = float | str
 Q = TypeVar("Q", bound=Result)
 Limits = str | Sequence[str]
 Quantities = Quantity | Sequence[Quantity] | FloatArray
+Stiffnesses = Quantity | Sequence[Quantity | tuple[Quantity, Quantity]] | FloatArray
 
 
 def _again(text: str, folder: Path | None) -> Engine:
@@ -1081,8 +1082,22 @@ class Engine:
         samples: int | None = None,
         tolerance: float | None = None,
         audit: bool = False,
+        method: Literal["explicit", "implicit"] | None = None,
+        block: Literal["fixed", "plane", "space", "held"] | None = None,
+        joints: Literal["ideal", "compliant"] | None = None,
+        joint_stiffness: Quantity | None = None,
+        skirt_stiffness: Quantity | None = None,
+        skirt_offset: Quantity | None = None,
+        joint_damping: float | None = None,
+        load: Quantity | None = None,
+        load_on_block: bool = False,
+        gas_states: bool = False,
     ) -> BondGraph:
         """The bond graph of the engine: graph file, causality, equations, Modelica, drawing, and where it is asked for a run.
+
+        `block`: fixed, moving in the plane across the crank or in space, or held still by sources; `joints` ideal, or compliant pins (`joint_stiffness` [N/m]) and skirts
+        (`skirt_stiffness` [N/m], `skirt_offset` [m] from the pin to their middle) with a damping ratio; `load`: a constant torque [N m] or ``"none"``; `gas_states`: the gas as
+        states of the graph, with valves and heat release.
 
         `revolutions` at the start speed, `duration` [s] or `periodic` ask for a run, whose series `run` has and `plot()` draws; `samples` over it; `tolerance` of its steps;
         `audit`: the energy through every bond beside it.
@@ -1103,6 +1118,16 @@ class Engine:
             "samples": samples,
             "tolerance": tolerance,
             "audit": audit,
+            "method": method,
+            "block": block,
+            "joints": joints,
+            "joint_stiffness": joint_stiffness,
+            "skirt_stiffness": skirt_stiffness,
+            "skirt_offset": skirt_offset,
+            "joint_damping": joint_damping,
+            "load": load,
+            "load_on_block": load_on_block,
+            "gas_states": gas_states,
         }
         return self._ask("bondgraph", BondGraph, options)
 
@@ -1114,17 +1139,27 @@ class Engine:
         speed: Quantities = (),
         angle: Quantities = (),
         gas: bool = True,
-        support: Literal["clamped-ends", "journals", "springs", "free"] | None = None,
-        stiffness: Quantity | None = None,
+        loads: Literal["closed-form", "simulation"] | None = None,
+        force: Sequence[tuple[int, Quantity] | tuple[int, Quantity, Quantity]] = (),
+        case: str | None = None,
+        support: Literal["clamped-ends", "journals", "springs", "rings", "free"] | None = None,
+        stiffness: Stiffnesses = (),
+        ring_thickness: Quantity | None = None,
+        ring_modulus: Quantity | None = None,
         crankshaft: int = 0,
         size: Quantity | None = None,
         fillet_elements: int | None = None,
+        converge: bool = False,
         submodel: int | None = None,
         submodel_elements: int | None = None,
         memory: int | None = None,
         double: bool = False,
     ) -> StaticStress:
         """Static stress of the crankshaft by finite elements: every fillet, pin and journal. The file has a section ``[crank.body]``.
+
+        `loads`: the closed form at constant speed, or the run that `simulate` makes of the file. `force`: forces of your own, each the index of a throw, its radial [N]
+        (positive away from the axis) and its tangential force [N]. `case`: one of the file's static cases. `stiffness` [N/m] of ``support="springs"``: one for all journals, or
+        one for each, a pair of x and y where they differ. `ring_thickness` [m], `ring_modulus` [Pa] of ``support="rings"``. `converge`: three meshes, every number with its band.
 
         `angle` [rad], one or several, else the angles of the largest forces; `size` of the elements [m]; `submodel`: index of a throw whose bay, between the main
         journals beside it, is solved again with more elements across its fillets (`submodel_elements`, else 6 as a rule); `memory` [byte].
@@ -1139,11 +1174,17 @@ class Engine:
             "speed": speed,
             "angle": angle,
             "gas": gas,
+            "loads": loads,
+            "force": force,
+            "case": case,
             "support": support,
             "stiffness": stiffness,
+            "ring_thickness": ring_thickness,
+            "ring_modulus": ring_modulus,
             "crankshaft": crankshaft,
             "size": size,
             "fillet_elements": fillet_elements,
+            "converge": converge,
             "submodel": submodel,
             "submodel_elements": submodel_elements,
             "memory": memory,
@@ -1156,13 +1197,18 @@ class Engine:
         count: int | None = None,
         *,
         support: Literal["clamped-ends", "journals", "springs", "free"] | None = None,
-        stiffness: Quantity | None = None,
+        stiffness: Stiffnesses = (),
         crankshaft: int = 0,
         size: Quantity | None = None,
         fillet_elements: int | None = None,
+        converge: bool = False,
+        check_count: bool = False,
         memory: int | None = None,
     ) -> CrankModes:
         """Natural frequencies of the crankshaft at rest. The file has a section ``[crank.body]``.
+
+        `stiffness` as in `stress`; `converge`: three meshes, every frequency with its band; `check_count`: a second factor counts the modes, `modes.count` says whether any is
+        missing.
 
         >>> from lanchester import Engine
         >>> engine = Engine.template("single").complete().with_({"crank.body.pin_fillet": "5 mm", "crank.body.journal_fillet": None})
@@ -1177,6 +1223,8 @@ class Engine:
             "crankshaft": crankshaft,
             "size": size,
             "fillet_elements": fillet_elements,
+            "converge": converge,
+            "check_count": check_count,
             "memory": memory,
         }
         return self._ask("stress_modes", CrankModes, options)
@@ -1191,11 +1239,12 @@ class Engine:
         gradient_factor: float | None = None,
         instants: int | None = None,
         support: Literal["clamped-ends", "journals", "springs", "free"] | None = None,
-        stiffness: Quantity | None = None,
+        stiffness: Stiffnesses = (),
         crankshaft: int = 0,
         size: Quantity | None = None,
         fillet_elements: int | None = None,
         memory: int | None = None,
+        double: bool = False,
     ) -> CrankFatigue:
         """Safety of every fillet over the cycle by finite elements and Findley's criterion.
 
@@ -1219,6 +1268,7 @@ class Engine:
             "size": size,
             "fillet_elements": fillet_elements,
             "memory": memory,
+            "double": double,
         }
         return self._ask("stress_fatigue", CrankFatigue, options)
 
@@ -1231,6 +1281,7 @@ class Engine:
         free: bool = False,
         gas: bool = True,
         modes: int | None = None,
+        reduction: Literal["free-interface", "craig-bampton"] | None = None,
         damping: Quantity | None = None,
         instants: int | None = None,
         cycles: int | None = None,
@@ -1247,7 +1298,8 @@ class Engine:
 
         `bearings`: ``"rigid"`` (no clearance and no yield), ``"contact"`` (clearance, then a spring with a damper), ``"bushing"`` (springs with dampers), ``"film"`` (an oil
         film), ``"file"`` (each as the file says), or several; the first four by default. `rigid_crankshaft`: every law with a rigid crankshaft too; `speed`: mean of crankshaft 1
-        [rad/s]; `free`: the flywheel turns as gas, inertia and a constant load make it; `modes` of the free crankshaft that are kept; `damping` of every mode over the critical
+        [rad/s]; `free`: the flywheel turns as gas, inertia and a constant load make it; `modes` that are kept, of the free crankshaft or, with
+        ``reduction="craig-bampton"``, of one whose bearings are held; `damping` of every mode over the critical
         one [1], else that of the material; `instants` of a revolution, a multiple of 8; most `cycles` of a law; `surface_factor` and so on as in `fatigue`.
 
         Ctrl-C ends it. That a law does not repeat, or breaks off, is an outcome: `runs[...].outcome`.
@@ -1267,6 +1319,7 @@ class Engine:
             "free": free,
             "gas": gas,
             "modes": modes,
+            "reduction": reduction,
             "damping": damping,
             "instants": instants,
             "cycles": cycles,
@@ -1309,15 +1362,17 @@ class Engine:
         speed: Quantities = (),
         gas: bool = True,
         torsional_vibration: Quantities = (),
+        torsion: bool | None = None,
         finite_elements: bool = False,
         crankshaft: int = 0,
         size: Quantity | None = None,
         fillet_elements: int | None = None,
+        memory: int | None = None,
     ) -> CrankRule:
         """Strength by the formulas of IACS UR M53, throw by throw.
 
         `torsional_vibration`: amplitude of the torque [N m], one for all throws or one for each; 0 leaves it out. Without it that of the engine's own
-        chain counts, where the file has one. `finite_elements`: stress concentration factors by
+        chain counts, where the file has one: `torsion=True` asks for it, False leaves it out. `finite_elements`: stress concentration factors by
         finite elements beside those of the formulas, each throw meshed with elements of `size` [m] and `fillet_elements` across a fillet, an even
         number from 6 on.
 
@@ -1330,10 +1385,12 @@ class Engine:
             "speed": speed,
             "gas": gas,
             "torsional_vibration": torsional_vibration,
+            "torsion": torsion,
             "finite_elements": finite_elements,
             "crankshaft": crankshaft,
             "size": size,
             "fillet_elements": fillet_elements,
+            "memory": memory,
         }
         return self._ask("stress_rule", CrankRule, options)
 

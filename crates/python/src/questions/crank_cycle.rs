@@ -7,7 +7,7 @@ use crate::failure::Failure;
 use crate::options::Options;
 use crate::question::{How, Question, Run};
 use lanchester::flex::reduction::ReductionOptions;
-use lanchester::flex::train::BasisOptions;
+use lanchester::flex::train::{BasisKind, BasisOptions};
 use lanchester::report::{
     CrankCycle, CycleLaw, CycleSpeed, ReducedCrank, crank_cycle_figures, cycle_text, reduced_text,
 };
@@ -47,6 +47,8 @@ fn read_cycle(options: &Options<'_>) -> Result<Run, Failure> {
             "crankshafts of steel have 0.005 to 0.02",
         ));
     }
+    let reductions =
+        [("free-interface", BasisKind::FreeInterface), ("craig-bampton", BasisKind::CraigBampton)];
     let usual = CycleRequest::default();
     let modes = options.whole("modes", 1, 200)?;
     let request = CycleRequest {
@@ -59,6 +61,7 @@ fn read_cycle(options: &Options<'_>) -> Result<Run, Failure> {
         },
         gas: options.flag("gas")?.unwrap_or(true),
         basis: BasisOptions {
+            kind: options.word("reduction", &reductions)?.unwrap_or_default(),
             modes: modes.map_or(usual.basis.modes, |count| count as usize),
             memory: memory(options)?,
             ..BasisOptions::default()

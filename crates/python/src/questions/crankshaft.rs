@@ -17,10 +17,11 @@ use lanchester::report::{
     shaft_weight_parts_table, static_stress_text,
 };
 use lanchester::{
-    CounterweightCheck, CounterweightDesigns, CounterweightRequest, FatigueRequest, ModesRequest,
-    RuleRequest, StaticRequest, StressLoad, StressMesh, SubmodelRequest, check_counterweights, crank_fatigue,
-    crank_modes, crank_rule_of_file, design_counterweights, static_stress, with_counterweights,
-    with_element_factors,
+    CounterweightCheck, CounterweightDesigns, CounterweightRequest, FatigueRequest, GivenForce, LoadSource,
+    ModesRequest, RuleRequest, SimulateRequest, StaticRequest, StressLoad, StressMesh, SubmodelRequest,
+    check_counterweights, converged_modes, converged_stress, crank_fatigue, crank_modes, crank_rule,
+    crank_rule_of_file, crank_rule_with_torsion, design_counterweights, static_stress, stress_case,
+    with_counterweights, with_element_factors,
 };
 use std::sync::Arc;
 
@@ -188,25 +189,80 @@ pub(super) fn factors(options: &Options<'_>) -> Result<FatigueFactors, Failure> 
     })
 }
 
+/// What may hold a crankshaft.
+#[derive(Clone, Copy, PartialEq)]
+enum Held {
+    ClampedEnds,
+    Journals,
+    Free,
+    Springs,
+    Rings,
+}
+
 fn support(options: &Options<'_>, usual: CrankSupport) -> Result<CrankSupport, Failure> {
     let words = [
-        ("clamped-ends", Some(&CrankSupport::ClampedEnds)),
-        ("journals", Some(&CrankSupport::Journals)),
-        ("free", Some(&CrankSupport::Free)),
-        ("springs", None),
+        ("clamped-ends", Held::ClampedEnds),
+        ("journals", Held::Journals),
+        ("free", Held::Free),
+        ("springs", Held::Springs),
+        ("rings", Held::Rings),
     ];
-    let stiffness = options.stiffness("stiffness")?;
-    match (options.word("support", &words)?, stiffness) {
-        (None, None) => Ok(usual),
-        (Some(Some(support)), None) => Ok(support.clone()),
-        (Some(None), Some(stiffness)) => Ok(CrankSupport::even_springs(stiffness)),
-        (Some(None), None) => Err(Failure::option(
-            "`support=\"springs\"` needs the stiffness of each journal and direction",
-            "give stiffness=\"500 kN/mm\"",
-        )),
-        (_, Some(_)) => Err(Failure::option(
-            "`stiffness` is that of `support=\"springs\"`",
-            "add support=\"springs\", or leave `stiffness` out",
+    let held = options.word("support", &words)?;
+    let stiffness = options.stiffness_pairs("stiffness")?;
+    let (thickness, modulus) = (options.length("ring_thickness")?, options.pressure("ring_modulus")?);
+    for (name, is_given, of) in [
+        ("stiffness", !stiffness.is_empty(), Held::Springs),
+        ("ring_thickness", thickness.is_some(), Held::Rings),
+        ("ring_modulus", modulus.is_some(), Held::Rings),
+    ] {
+        let word = if of == Held::Springs { "springs" } else { "rings" };
+        if is_given && held != Some(of) {
+            return Err(Failure::option(
+                format_args!("`{name}` is that of `support=\"{word}\"`"),
+                format_args!("add support=\"{word}\", or leave `{name}` out"),
+            ));
+        }
+    }
+    if let Some(got) = [thickness, modulus].into_iter().flatten().find(|own| *own <= 0.0) {
+        return Err(Failure::option(
+            format_args!("rings need a thickness and a modulus above 0, got {got}"),
+            "for example ring_thickness=\"5 mm\", ring_modulus=\"210 GPa\"",
+        ));
+    }
+    Ok(match held {
+        None => usual,
+        Some(Held::ClampedEnds) => CrankSupport::ClampedEnds,
+        Some(Held::Journals) => CrankSupport::Journals,
+        Some(Held::Free) => CrankSupport::Free,
+        Some(Held::Rings) => {
+            CrankSupport::Rings { thickness: thickness.unwrap_or(5e-3), modulus: modulus.unwrap_or(210e9) }
+        }
+        Some(Held::Springs) if stiffness.is_empty() => {
+            return Err(Failure::option(
+                "`support=\"springs\"` needs the stiffness of each journal and direction",
+                "give stiffness=\"500 kN/mm\"",
+            ));
+        }
+        Some(Held::Springs) => CrankSupport::Springs { stiffness },
+    })
+}
+
+/// Loads of a static case: forces of one's own, those of angles, or the largest ones.
+fn static_load(options: &Options<'_>) -> Result<StressLoad, Failure> {
+    let angles = options.angles("angle")?;
+    let forces: Vec<GivenForce> = options
+        .pin_forces("force")?
+        .into_iter()
+        .map(|(throw, radial, tangential)| GivenForce { pin: throw + 1, radial, tangential })
+        .collect();
+    match (forces.is_empty(), angles.as_slice()) {
+        (true, []) => Ok(StressLoad::Extremes),
+        (true, _) => Ok(StressLoad::Angles(angles)),
+        (false, []) => Ok(StressLoad::Given { forces, angle: None }),
+        (false, [angle]) => Ok(StressLoad::Given { forces, angle: Some(*angle) }),
+        (false, _) => Err(Failure::option(
+            "`force` beside several angles: forces of your own act at one",
+            "give one angle, or leave `angle` out",
         )),
     }
 }
@@ -228,21 +284,48 @@ fn read_static(options: &Options<'_>) -> Result<Run, Failure> {
     };
     let request = StaticRequest {
         support: support(options, CrankSupport::Journals)?,
-        load: match options.angles("angle")? {
-            angles if angles.is_empty() => StressLoad::Extremes,
-            angles => StressLoad::Angles(angles),
-        },
+        load: static_load(options)?,
         speeds: options.speeds("speed")?,
         gas: options.flag("gas")?.unwrap_or(true),
         submodel,
         solve: solve(options)?,
         ..StaticRequest::default()
     };
+    let simulated = options.word("loads", &[("closed-form", false), ("simulation", true)])?.unwrap_or(false);
+    if simulated && matches!(request.load, StressLoad::Given { .. }) {
+        return Err(Failure::option(
+            "`loads` has no effect on forces of your own",
+            "leave out `loads`, or `force`",
+        ));
+    }
+    let (case, converge) = (options.text("case")?, options.flag("converge")?.unwrap_or(false));
+    if let Some(name) = &case {
+        let others = ["angle", "force", "speed", "support", "crankshaft"];
+        if let Some(other) = others.into_iter().find(|other| options.is_given(other)) {
+            return Err(Failure::option(
+                format_args!("`{other}` beside `case`: the case \"{name}\" of the file has its own"),
+                format_args!("leave out `{other}`, or `case`"),
+            ));
+        }
+    }
     Ok(Box::new(move |engines, _| {
         let own = &engines[0];
-        let request = StaticRequest { mesh: mesh.of(own, 6)?, ..request.clone() };
+        let tasks = &own.file.tasks;
+        let mut request = StaticRequest { mesh: mesh.of(own, 6)?, ..request.clone() };
+        if let Some(name) = &case {
+            let found = stress_case(tasks, name).map_err(Failure::refused)?;
+            let StaticRequest { gas, submodel, solve, mesh, .. } = request;
+            request = StaticRequest { gas, submodel, solve, ..StaticRequest::of_case(found, mesh) };
+        }
+        if simulated {
+            request.source = LoadSource::of_run(tasks, SimulateRequest::default());
+        }
         let traces = if request.gas { own.traces()? } else { &[] };
-        let found = static_stress(own.engine(), traces, &request, &|_| ()).map_err(Failure::refused)?;
+        let found = match converge {
+            true => converged_stress(own.engine(), traces, &request, &|_| ()),
+            false => static_stress(own.engine(), traces, &request, &|_| ()),
+        };
+        let found = found.map_err(Failure::refused)?;
         Ok(Data::new(
             found,
             own,
@@ -258,16 +341,22 @@ fn read_static(options: &Options<'_>) -> Result<Run, Failure> {
 
 fn read_modes(options: &Options<'_>) -> Result<Run, Failure> {
     let mesh = AskedMesh::read(options)?;
+    let count_modes = options.flag("check_count")?.unwrap_or(false);
     let request = ModesRequest {
         support: support(options, CrankSupport::Free)?,
         count: options.whole("count", 1, 500)?.unwrap_or(10) as usize,
-        solve: solve(options)?,
+        solve: SolveOptions { count_modes, ..solve(options)? },
         ..ModesRequest::default()
     };
+    let converge = options.flag("converge")?.unwrap_or(false);
     Ok(Box::new(move |engines, _| {
         let own = &engines[0];
         let request = ModesRequest { mesh: mesh.of(own, 2)?, ..request.clone() };
-        let found = crank_modes(own.engine(), &request, &|_| ()).map_err(Failure::refused)?;
+        let found = match converge {
+            true => converged_modes(own.engine(), &request, &|_| ()),
+            false => crank_modes(own.engine(), &request, &|_| ()),
+        };
+        let found = found.map_err(Failure::refused)?;
         Ok(Data::new(
             found,
             own,
@@ -317,10 +406,18 @@ fn read_rule(options: &Options<'_>) -> Result<Run, Failure> {
         vibration: options.torques("torsional_vibration")?,
     };
     let by_elements = options.flag("finite_elements")?.unwrap_or(false);
-    let mesh = AskedMesh::read(options)?;
-    if !by_elements && (mesh.size.is_some() || mesh.fillet_elements.is_some()) {
+    let torsion = options.flag("torsion")?;
+    if torsion == Some(true) && !request.vibration.is_empty() {
         return Err(Failure::option(
-            "`size` and `fillet_elements` are those of finite elements",
+            "`torsion=True` beside `torsional_vibration`: both give the torques of torsional vibration",
+            "leave out one of the two",
+        ));
+    }
+    let mesh = AskedMesh::read(options)?;
+    let solve = SolveOptions { memory: memory(options)?, ..SolveOptions::default() };
+    if !by_elements && (mesh.size.is_some() || mesh.fillet_elements.is_some() || options.is_given("memory")) {
+        return Err(Failure::option(
+            "`size`, `fillet_elements` and `memory` are those of finite elements",
             "add finite_elements=True, or leave them out",
         ));
     }
@@ -328,11 +425,15 @@ fn read_rule(options: &Options<'_>) -> Result<Run, Failure> {
         let own = &engines[0];
         crankshaft_of(own, request.crankshaft)?;
         let traces = if request.gas { own.traces()? } else { &[] };
-        let found = crank_rule_of_file(&own.file, traces, &request).map_err(Failure::refused)?;
+        let found = match torsion {
+            Some(true) => crank_rule_with_torsion(&own.file, traces, &request).map_err(Failure::refused)?,
+            Some(false) => crank_rule(own.engine(), traces, &request).map_err(Failure::refused)?,
+            None => crank_rule_of_file(&own.file, traces, &request).map_err(Failure::refused)?,
+        };
         let found = match by_elements {
             true => {
-                with_element_factors(own.engine(), found, &mesh.of(own, 6)?, SolveOptions::default(), &|_| ())
-                    .map_err(Failure::refused)?
+                let mesh = mesh.of(own, 6)?;
+                with_element_factors(own.engine(), found, &mesh, solve, &|_| ()).map_err(Failure::refused)?
             }
             false => found,
         };

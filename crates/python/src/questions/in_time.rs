@@ -6,8 +6,9 @@ use crate::guard::Watch;
 use crate::options::Options;
 use crate::question::{How, Question, Run};
 use lanchester::bondgraph::{
-    Cancel, Equations, Graph, Notation, Simulation, SimulationRequest, causality_text, drawing, equations,
-    equations_latex, equations_text, graph_file, modelica,
+    Cancel, CompliantJoints, EngineBlock, EngineJoints, Equations, Graph, Method, Notation, Simulation,
+    SimulationRequest, causality_text, drawing, equations, equations_latex, equations_text, graph_file,
+    modelica,
 };
 use lanchester::file::{StartOfRun, event_from_words, start_from_words};
 use lanchester::model::NamedPoint;
@@ -55,10 +56,7 @@ fn run_length(options: &Options<'_>) -> Result<Option<RunLength>, Failure> {
 
 fn read_simulate(options: &Options<'_>) -> Result<Run, Failure> {
     let length = run_length(options)?;
-    let load = match options.text("load") {
-        Ok(Some(text)) if text.trim() == "none" => Some(LoadLaw::None),
-        _ => options.torque("load")?.map(LoadLaw::Constant),
-    };
+    let load = load_law(options)?;
     let misfire = options.wholes("misfire", 1, 10_000)?;
     let start = options.text("start")?.map_or(Ok(StartOfRun::default()), |text| {
         start_from_words(&text)
@@ -218,6 +216,7 @@ struct AskedRun {
     samples: Option<usize>,
     tolerance: Option<f64>,
     audit: bool,
+    method: Option<Method>,
 }
 
 impl AskedRun {
@@ -227,6 +226,8 @@ impl AskedRun {
             samples: options.whole("samples", 1, 1_000_000)?.map(|count| count as usize),
             tolerance: options.number("tolerance")?,
             audit: options.flag("audit")?.unwrap_or(false),
+            method: options
+                .word("method", &[("explicit", Method::Explicit), ("implicit", Method::Implicit)])?,
         };
         if let Some(tolerance) = asked.tolerance.filter(|own| !(1e-13..=1e-2).contains(own)) {
             return Err(Failure::option(
@@ -238,6 +239,7 @@ impl AskedRun {
             ("samples", asked.samples.is_some()),
             ("tolerance", asked.tolerance.is_some()),
             ("audit", asked.audit),
+            ("method", asked.method.is_some()),
         ];
         match of_run.into_iter().find(|(_, is_given)| *is_given) {
             Some((name, _)) if asked.length.is_none() => Err(Failure::option(
@@ -254,25 +256,77 @@ impl AskedRun {
             samples: self.samples.unwrap_or(usual.samples),
             tolerance: self.tolerance.unwrap_or(usual.tolerance),
             audit: self.audit,
+            method: self.method,
             cancel: Some(Cancel(watch.flag())),
             ..usual
         }
     }
 }
 
+/// A constant torque, `"none"`, or nothing.
+fn load_law(options: &Options<'_>) -> Result<Option<LoadLaw>, Failure> {
+    Ok(match options.text("load") {
+        Ok(Some(text)) if text.trim() == "none" => Some(LoadLaw::None),
+        _ => options.torque("load")?.map(LoadLaw::Constant),
+    })
+}
+
+/// Joints of the crank train in a bond graph.
+fn joints(options: &Options<'_>) -> Result<EngineJoints, Failure> {
+    let compliant = options.word("joints", &[("ideal", false), ("compliant", true)])?.unwrap_or(false);
+    if !compliant {
+        let of_compliant = ["joint_stiffness", "skirt_stiffness", "skirt_offset", "joint_damping"];
+        return match of_compliant.into_iter().find(|name| options.is_given(name)) {
+            Some(name) => Err(Failure::option(
+                format_args!("`{name}` is that of compliant joints"),
+                format_args!("add joints=\"compliant\", or leave `{name}` out"),
+            )),
+            None => Ok(EngineJoints::Ideal),
+        };
+    }
+    let usual = CompliantJoints::default();
+    let damping_ratio = options.number("joint_damping")?.unwrap_or(usual.damping_ratio);
+    if !(0.0..=10.0).contains(&damping_ratio) {
+        return Err(Failure::option(
+            format_args!("`joint_damping` is outside 0 to 10, got {damping_ratio}"),
+            "for example joint_damping=0.2",
+        ));
+    }
+    Ok(EngineJoints::Compliant(CompliantJoints {
+        stiffness: options.stiffness("joint_stiffness")?.unwrap_or(usual.stiffness),
+        skirt_stiffness: options.stiffness("skirt_stiffness")?.unwrap_or(usual.skirt_stiffness),
+        skirt_offset: options.length("skirt_offset")?.unwrap_or(usual.skirt_offset),
+        damping_ratio,
+        ..usual
+    }))
+}
+
 fn read_bondgraph(options: &Options<'_>) -> Result<Run, Failure> {
-    let speed = options.speed("speed")?;
-    let gas = options.flag("gas")?.unwrap_or(true);
-    let gravity = options.flag("gravity")?.unwrap_or(true);
-    let imposed = options.flag("imposed")?;
+    let blocks = [
+        ("fixed", EngineBlock::Fixed),
+        ("plane", EngineBlock::Plane),
+        ("space", EngineBlock::Space),
+        ("held", EngineBlock::Held),
+    ];
+    let plain = BondGraphRequest {
+        speed: options.speed("speed")?,
+        block: options.word("block", &blocks)?,
+        joints: joints(options)?,
+        gas: options.flag("gas")?.unwrap_or(true),
+        gas_as_states: options.flag("gas_states")?.unwrap_or(false),
+        gravity: options.flag("gravity")?.unwrap_or(true),
+        imposed: options.flag("imposed")?,
+        load: load_law(options)?,
+        load_on_block: options.flag("load_on_block")?.unwrap_or(false),
+        ..BondGraphRequest::default()
+    };
     let asked = AskedRun::read(options)?;
     Ok(Box::new(move |engines, watch| {
         let own = &engines[0];
         let mut simulation = own.file.tasks.simulation.as_deref().cloned().unwrap_or_default();
         simulation.duration = asked.length.or(simulation.duration);
-        let request =
-            BondGraphRequest { speed, gas, gravity, imposed, simulation, ..BondGraphRequest::default() };
-        let traces = if gas { own.traces()? } else { &[] };
+        let request = BondGraphRequest { simulation, ..plain.clone() };
+        let traces = if request.gas { own.traces()? } else { &[] };
         let found = engine_bond_graph(own.engine(), traces, &request).map_err(Failure::refused)?;
         let file = graph_file(&found.description);
         let mistakes =
