@@ -3,7 +3,7 @@
 import { toSi } from "../../state/units.svelte";
 import { table } from "./csv";
 import { download, png, standalone } from "./picture";
-import { colour, dash, type Axis, type Series } from "./series";
+import { dash, paint, type Axis, type Field, type Series } from "./series";
 import { unitOf } from "./words";
 
 export type Format = "svg" | "png" | "csv";
@@ -17,6 +17,7 @@ export interface Saved {
   x: Axis;
   y: Axis;
   along: Axis | undefined;
+  field: Field | undefined;
 }
 
 export async function save(format: Format, plot: Saved, svg: SVGSVGElement | undefined) {
@@ -25,17 +26,23 @@ export async function save(format: Format, plot: Saved, svg: SVGSVGElement | und
     .replace(/[^a-z0-9]+/g, "-")
     .replace(/^-|-$/g, "");
   if (format === "csv") {
-    const text = table(plot.visible, column(plot.x), column(plot.y), plot.along && column(plot.along));
+    const text =
+      plot.field?.table() ??
+      table(plot.visible, column(plot.x), column(plot.y), plot.along && column(plot.along));
     download(text, `${stem}.csv`, "text/csv");
     return;
   }
   if (!svg) return;
-  const keys = plot.visible.map((one) => ({
-    name: one.name,
-    colour: colour(one.colour),
-    dash: dash(one),
-    filled: one.kind === "bars" || one.kind === "area" || one.kind === "points",
-  }));
+  const regions = plot.field?.regions.filter(({ hatched }) => !hatched) ?? [];
+  const keys = [
+    ...plot.visible.map((one) => ({
+      name: one.name,
+      colour: paint(one),
+      dash: dash(one),
+      filled: one.kind === "bars" || one.kind === "area" || one.kind === "points",
+    })),
+    ...regions.map(({ name, colour }) => ({ name, colour, dash: "", filled: true })),
+  ];
   const drawing = standalone(svg, plot.title, keys.length > 1 ? keys : []);
   if (format === "svg") download(drawing, `${stem}.svg`, "image/svg+xml");
   else download(await png(drawing), `${stem}.png`);

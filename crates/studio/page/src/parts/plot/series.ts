@@ -11,6 +11,8 @@ export interface Series {
   y: Values;
   /** Number of its colour, from 1. */
   colour: number;
+  /** Over the colours of a field: in ink, on a line of its own in the colour of the ground. */
+  cased?: boolean;
   /**
    * Default: a line. `area` lies between `base` and `y`, `bars` stand on zero, an `arrow` goes from the first point to
    * the last.
@@ -79,6 +81,26 @@ export interface Rule {
   name: string;
 }
 
+/** A part of the ground in one colour. */
+export interface Region {
+  /** Of the legend of a saved picture. */
+  name: string;
+  colour: string;
+  /** Lines across in place of the colour. */
+  hatched?: boolean;
+  outlines: readonly { x: Values; y: Values }[];
+}
+
+/** A quantity over both axes: colours under the curves. */
+export interface Field {
+  /** Each lies over those before. */
+  regions: readonly Region[];
+  /** What is read out at a place along x; `y`: where the pointer is, if it is on the ground. */
+  read: (x: number, y: number | undefined) => string;
+  /** All of it as a table. */
+  table: () => string;
+}
+
 /** The crank angle in a plot over the crank angle: it can be dragged. */
 export interface Cursor {
   value: number;
@@ -91,6 +113,10 @@ const DASHES = ["8 3", "2.5 2.5", "10 3 2.5 3", "5 2", "10 3 2.5 3 2.5 3", "1.5 
 
 export function colour(number: number): string {
   return `var(--series-${((Math.max(1, number) - 1) % COLOURS) + 1})`;
+}
+
+export function paint(series: Series): string {
+  return series.cased ? "var(--ink)" : colour(series.colour);
 }
 
 export function dash(series: Series): string {

@@ -1,5 +1,6 @@
 // What of the results is looked at; it stays while other tabs are open.
 
+import type { Cavitation } from "../../api/types";
 import type { Seen } from "./mounts/shaken";
 
 export const SECTIONS = [
@@ -31,6 +32,10 @@ class Look {
   /** Share of the reciprocating forces in shear and bending. */
   share = $state(0);
   counterweights = $state(true);
+  /** Model of cavitation of the oil films. */
+  cavitation = $state<"file" | Cavitation>("file");
+  /** Bearing whose film is unrolled; `undefined`: that with the thinnest. */
+  film = $state<string>();
   /** From where the orbits of the mounts are seen. */
   seen = $state<Seen>("front");
   model = $state<"free_beam" | "throw_by_throw">("free_beam");
