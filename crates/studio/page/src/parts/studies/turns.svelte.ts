@@ -12,6 +12,16 @@ interface Turn<T> {
   found: T | null;
 }
 
+/** What a long run tells of how far it is. */
+export interface Running {
+  readonly busy: boolean;
+  /** Share that is done, 0 to 1. */
+  readonly done: number;
+  /** What is left [s]. */
+  readonly left: number | undefined;
+  stop(): void;
+}
+
 export class Turns<T> {
   value = $state.raw<T>();
   problem = $state.raw<Problem>();
