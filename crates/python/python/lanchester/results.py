@@ -3652,7 +3652,12 @@ class CrankLoad(Record):
     """What loads a crankshaft."""
 
     __slots__ = ()
-    _FIELDS = ("pins", "speed", "turn",)
+    _FIELDS = ("acceleration", "pins", "speed", "turn",)
+
+    @property
+    def acceleration(self) -> float:
+        """Rate of that speed [rad/s^2], whose field of tangential inertia loads the body."""
+        return self._get("acceleration")  # type: ignore[no-any-return]
 
     @property
     def pins(self) -> Records[PinLoad2]:
@@ -3673,8 +3678,8 @@ class CrankLoad(Record):
 
 
 class CrankMesh(Record):
-    """The mesh of a crankshaft. Sets: `MAIN_1` .. and `PIN_1` .. (the bearing surfaces between the fillets), `FREE_END`, `FLYWHEEL` (the end
-    faces).
+    """The mesh of a crankshaft. Sets: `MAIN_1` .. and `PIN_1` .. (the bearing surfaces between the fillets), `NOSE_1` .. and `FLANGE_1` .. (the round surfaces of
+    their steps), `FREE_END`, `FLYWHEEL` (the end faces).
     """
 
     __slots__ = ()
@@ -3682,7 +3687,7 @@ class CrankMesh(Record):
 
     @property
     def body_mass(self) -> float:
-        """Mass of the body that is meshed, without fillets; of its nose and flange too, which are not; of a bay that of the whole crankshaft [kg]."""
+        """Mass of the body that is meshed, without fillets; of a bay that of the whole crankshaft [kg]."""
         return self._get("body_mass")  # type: ignore[no-any-return]
 
     @property
@@ -3853,7 +3858,7 @@ class CrankSheet(Record):
 
     @property
     def exact_mass(self) -> float:
-        """Mass of the exact body without fillets, nose and flange; of a mesh from a file that of the body with nose and flange, 0 where the engine file has no body [kg]."""
+        """Mass of the exact body without fillets, of what is meshed; of a mesh from a file that of the body with nose and flange, 0 where the engine file has no body [kg]."""
         return self._get("exact_mass")  # type: ignore[no-any-return]
 
     @property
