@@ -9,6 +9,7 @@ pub(crate) mod file_case;
 pub(crate) mod fillet_bands;
 pub(crate) mod loads;
 pub(crate) mod mesh;
+pub(crate) mod named_load;
 pub(crate) mod own_mesh;
 pub(crate) mod reduce;
 pub(crate) mod request;

@@ -351,7 +351,7 @@ def test_what_is_interrupted_does_not_go_on_behind(ask: str, after: float) -> No
     )
     done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=60, check=True)
     how, spent = done.stdout.split()
-    assert how == "interrupted" and float(spent) < 0.05, done.stdout
+    assert how == "interrupted" and float(spent) < 0.2, done.stdout
 
 
 def test_files_that_cannot_be_written_say_so(tmp_path: Path) -> None:

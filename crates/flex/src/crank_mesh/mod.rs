@@ -9,6 +9,7 @@ mod bay;
 mod carried;
 mod chords;
 mod circles;
+mod ends;
 mod extrude;
 mod fillet;
 mod levels;

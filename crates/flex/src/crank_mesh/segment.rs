@@ -1,7 +1,7 @@
 //! A crankshaft along z: bars, which are journals and pins, and stacks of webs between them.
 
+use super::ends::{Ends, is_end};
 use super::options::CrankMeshOptions;
-use super::sweep::{Ends, is_end};
 use crate::FlexError;
 use lanchester_model::{CrankElement, CrankElementForm};
 use lanchester_shape::Point;

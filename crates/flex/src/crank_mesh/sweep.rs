@@ -4,6 +4,7 @@ use super::bay::bay;
 use super::carried::carried_weights;
 use super::chords::Chords;
 use super::circles::arrangement;
+use super::ends::{Ends, end_mass, has_ends};
 use super::extrude::Sweep;
 use super::fillet::{Side, Torus};
 use super::levels::{levels, with_planes};
@@ -19,7 +20,7 @@ use super::stack::{Core, StackNet, reaches_over, solids, stack_net};
 use crate::mesh::{CarriedWeight, Mesh, MeshQuality, NodeSet, quality};
 use crate::{FlexError, LEAST_JACOBIAN, Material};
 use lanchester_geometry::crankshaft::CrankshaftBody;
-use lanchester_model::{CrankElement, CrankElementForm, Engine};
+use lanchester_model::{CrankElement, Engine};
 use lanchester_shape::{Outline, Point};
 use serde::Serialize;
 use std::collections::HashMap;
@@ -132,47 +133,6 @@ pub fn crank_mesh(engine: &Engine, index: usize, options: CrankMeshOptions) -> R
         found if is_room(&found) => found,
         _ => mesh_of(engine, index, options, None, Ends::None),
     }
-}
-
-/// Which steps beyond the end journals are meshed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Ends {
-    All,
-    Flange,
-    None,
-}
-
-/// Whether a crankshaft has steps beyond its end journals.
-fn has_ends(engine: &Engine, index: usize) -> bool {
-    engine.crank_elements(index).is_ok_and(|elements| elements.iter().any(is_end))
-}
-
-impl Ends {
-    /// Whether a step is meshed.
-    pub fn has(self, element: &CrankElement) -> bool {
-        match element.form {
-            CrankElementForm::Flange { .. } => self != Ends::None,
-            _ => self == Ends::All,
-        }
-    }
-}
-
-/// A step of nose or flange.
-pub(super) fn is_end(element: &CrankElement) -> bool {
-    matches!(element.form, CrankElementForm::Nose { .. } | CrankElementForm::Flange { .. })
-}
-
-/// Mass by which the steps of nose and flange that are meshed, their bores filled, and those that are not differ from the body [kg].
-fn end_mass(elements: &[CrankElement], ends: Ends) -> f64 {
-    let of = |element: &CrankElement| {
-        let bar = element.bar()?;
-        let mass = |area: f64| element.density * FRAC_PI_4 * area * element.length();
-        Some(match ends.has(element) {
-            true => mass(bar.bore.powi(2)),
-            false => -mass(bar.diameter.powi(2) - bar.bore.powi(2)),
-        })
-    };
-    elements.iter().filter(|element| is_end(element)).filter_map(of).sum()
 }
 
 /// Meshes the bay of a pin of crankshaft `index`: what lies between the middles of the two main journals beside it, at the place where it is in

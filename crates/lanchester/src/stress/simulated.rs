@@ -6,7 +6,7 @@
 
 use crate::pressure::measured::TraceFile;
 use crate::simulation::{SimulateRequest, simulate};
-use crate::stress::loads::{Extremes, MOST_ANGLES, NamedLoad, SIZES, given};
+use crate::stress::named_load::{Extremes, MOST_ANGLES, NamedLoad, SIZES, given};
 use crate::stress::request::{SimulatedSource, StaticRequest, StressError, StressLoad};
 use lanchester_file::EngineFile;
 use lanchester_mechanism::ThrowForce;

@@ -300,8 +300,10 @@ fn read_static(options: &Options<'_>) -> Result<Run, Failure> {
     }
     let (case, converge) = (options.text("case")?, options.flag("converge")?.unwrap_or(false));
     if let Some(name) = &case {
-        let others = ["angle", "force", "speed", "support", "crankshaft"];
-        if let Some(other) = others.into_iter().find(|other| options.is_given(other)) {
+        let others = ["force", "speed", "support", "crankshaft"];
+        let angle = matches!(request.load, StressLoad::Angles(_)).then_some("angle");
+        let other = angle.or_else(|| others.into_iter().find(|other| options.is_given(other)));
+        if let Some(other) = other {
             return Err(Failure::option(
                 format_args!("`{other}` beside `case`: the case \"{name}\" of the file has its own"),
                 format_args!("leave out `{other}`, or `case`"),

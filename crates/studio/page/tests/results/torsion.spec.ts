@@ -1,9 +1,9 @@
 // The crankshaft as it yields, on the Results tab: torsional vibration with a damper that is tried out, tuned and adopted; stress and modes by finite elements.
 
 import type { Page } from "@playwright/test";
-import type { StressAnswer, TorsionAnswer } from "../src/api/types";
-import { newEngine, opened } from "./page";
-import { expect, test, type Studio } from "./server";
+import type { StressAnswer, TorsionAnswer } from "../../src/api/types";
+import { newEngine, opened } from "../page";
+import { expect, test, type Studio } from "../server";
 
 async function open(page: Page, studio: Studio) {
   await page.goto(studio.address);

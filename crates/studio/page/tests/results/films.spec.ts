@@ -2,8 +2,8 @@
 
 import type { Locator, Page } from "@playwright/test";
 import { readFile } from "node:fs/promises";
-import type { BearingFilms } from "../src/api/types";
-import { expect, test, type Studio } from "./server";
+import type { BearingFilms } from "../../src/api/types";
+import { expect, test, type Studio } from "../server";
 
 test.use({ example: "in-line-4-crank-by-elements.toml" });
 
