@@ -226,7 +226,7 @@ fn a_crankshaft_that_speeds_up_is_loaded_by_its_inertia() {
     assert!(largest(&free) < 1e-7 * largest(&held), "{} {}", largest(&free), largest(&held));
     let plain = as_node_forces(
         &crank.mesh,
-        &crank_cases(&crank, &CrankSupport::ClampedEnds, &[load.clone()]).unwrap()[0],
+        &crank_cases(&crank, &CrankSupport::ClampedEnds, std::slice::from_ref(&load)).unwrap()[0],
     );
     let given: Vec<[f64; 3]> =
         plain.unwrap().forces.iter().fold(vec![[0.0; 3]; crank.mesh.nodes.len()], |mut all, own| {

@@ -2,7 +2,7 @@
 
 use crate::pressure::cylinders::{GasReport, cylinder_gas};
 use crate::pressure::measured::TraceFile;
-use crate::stress::named_load::{Extremes, MOST_ANGLES, NamedLoad, SIZES, given, turn};
+use crate::stress::named_load::{Extremes, MOST_ANGLES, NamedLoad, NamedLoads, SIZES, given, turn};
 use crate::stress::request::{LoadSource, StaticRequest, StressError, StressLoad};
 use crate::stress::simulated::simulated_loads;
 use lanchester_flex::crank_case::{CrankLoad, PinLoad};
@@ -39,17 +39,18 @@ impl Wanted {
     }
 }
 
-/// All loads of a request, where the pressures come from, and what is to be said of them.
+/// All loads of a request.
 pub(crate) fn named_loads(
     engine: &Engine,
     traces: &[TraceFile],
     request: &StaticRequest,
-) -> Result<(Vec<NamedLoad>, Option<String>, Vec<String>), StressError> {
+) -> Result<NamedLoads, StressError> {
     if let StressLoad::Given { forces, angle } = &request.load {
         let speeds = if request.speeds.is_empty() { vec![0.0] } else { request.speeds.clone() };
         let loads = speeds.iter().map(|speed| given(engine, request.mesh.crankshaft, *speed, forces, *angle));
         let note = "Forces as given; the centrifugal field of the crankshaft acts where a speed is given.";
-        return Ok((loads.collect::<Result<_, _>>()?, None, vec![note.to_owned()]));
+        let loads = loads.collect::<Result<_, _>>()?;
+        return Ok(NamedLoads { loads, gas: None, notes: vec![note.to_owned()] });
     }
     if let LoadSource::Simulation(source) = &request.source {
         return simulated_loads(engine, traces, request, source);
@@ -70,7 +71,7 @@ pub(crate) fn named_loads(
     }
     let note = "Forces of gas and of the inertia of pistons and rods from the closed form at constant speed, sought in steps of 1 deg; the crankshaft's own \
                 centrifugal field acts.";
-    Ok((loads, source, vec![note.to_owned()]))
+    Ok(NamedLoads { loads, gas: source, notes: vec![note.to_owned()] })
 }
 
 fn named(

@@ -21,6 +21,15 @@ pub(crate) struct NamedLoad {
     pub load: CrankLoad,
 }
 
+/// Loads of a request.
+pub(crate) struct NamedLoads {
+    pub loads: Vec<NamedLoad>,
+    /// Where the pressures come from.
+    pub gas: Option<String>,
+    /// What is to be said of them.
+    pub notes: Vec<String>,
+}
+
 /// Forces that are largest at one instant: by pin the names of their sizes.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct Extremes(Vec<(usize, Vec<&'static str>)>);

@@ -3,6 +3,7 @@
 use crate::pressure::measured::TraceFile;
 use crate::stress::loads::named_loads;
 use crate::stress::mesh::{MeshFile, StressMesh};
+use crate::stress::named_load::NamedLoads;
 use crate::stress::own_mesh::own_mesh_plan;
 use crate::stress::request::{
     ModesRequest, StaticRequest, StressError, StressLoad, StressStage, support_words,
@@ -30,7 +31,7 @@ pub fn static_stress(
     watch: &dyn Fn(StressStage),
 ) -> Result<StaticStress, StressError> {
     check_crankshaft(engine, &request.mesh)?;
-    let (mut loads, gas, of_loads) = named_loads(engine, traces, request)?;
+    let NamedLoads { mut loads, gas, notes: of_loads } = named_loads(engine, traces, request)?;
     if let Some(name) = &request.name {
         loads.iter_mut().for_each(|load| load.name = format!("{name}: {}", load.name));
     }

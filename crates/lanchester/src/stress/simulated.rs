@@ -6,7 +6,7 @@
 
 use crate::pressure::measured::TraceFile;
 use crate::simulation::{SimulateRequest, simulate};
-use crate::stress::named_load::{Extremes, MOST_ANGLES, NamedLoad, SIZES, given};
+use crate::stress::named_load::{Extremes, MOST_ANGLES, NamedLoad, NamedLoads, SIZES, given};
 use crate::stress::request::{SimulatedSource, StaticRequest, StressError, StressLoad};
 use lanchester_file::EngineFile;
 use lanchester_mechanism::ThrowForce;
@@ -20,13 +20,13 @@ use std::f64::consts::{PI, TAU};
 /// Points through which forces between samples are interpolated.
 const POINTS: usize = 4;
 
-/// Loads of all runs that a request asks for, where their pressures come from, and what is to be said of them.
+/// Loads of all runs that a request asks for.
 pub(crate) fn simulated_loads(
     engine: &Engine,
     traces: &[TraceFile],
     request: &StaticRequest,
     source: &SimulatedSource,
-) -> Result<(Vec<NamedLoad>, Option<String>, Vec<String>), StressError> {
+) -> Result<NamedLoads, StressError> {
     let tasks = Tasks { simulation: source.input.clone().map(Box::new), ..Tasks::default() };
     let file = EngineFile { engine: engine.clone(), tasks };
     let speeds: Vec<Option<f64>> = match request.speeds.as_slice() {
@@ -51,7 +51,7 @@ pub(crate) fn simulated_loads(
         notes.extend(found.notes.iter().filter(|note| !notes.contains(note)).cloned().collect::<Vec<_>>());
         gas = found.gas.or(gas);
     }
-    Ok((loads, gas, notes))
+    Ok(NamedLoads { loads, gas, notes })
 }
 
 /// What ran.
