@@ -11,7 +11,7 @@ use crate::stress::request::{SimulatedSource, StaticRequest, StressError, Stress
 use lanchester_file::EngineFile;
 use lanchester_mechanism::ThrowForce;
 use lanchester_model::Engine;
-use lanchester_multibody::{Reactions, Samples};
+use lanchester_multibody::{Reactions, RunOutcome, Samples};
 use lanchester_report::{PinForces, SimulationResult};
 use lanchester_task::Tasks;
 use num_complex::Complex64;
@@ -48,6 +48,12 @@ pub(crate) fn simulated_loads(
             _ => run.extremes(engine)?,
         });
         notes.push(words(&found));
+        if matches!(
+            found.run.outcome,
+            RunOutcome::Cancelled | RunOutcome::TooManyEvaluations | RunOutcome::Failed { .. }
+        ) {
+            notes.push("That run is incomplete: loads are those of the samples before its end.".to_owned());
+        }
         notes.extend(found.notes.iter().filter(|note| !notes.contains(note)).cloned().collect::<Vec<_>>());
         gas = found.gas.or(gas);
     }
