@@ -77,20 +77,28 @@ pub fn run(arguments: &[String]) -> Result<String> {
         ["-m", "pip", "install", "--quiet", "--force-reinstall", "--no-deps", "--disable-pip-version-check"];
     quiet(Command::new(&python).args(install).arg(&wheel))?;
     written(&python, write)?;
-    let tests = quiet(
-        Command::new(&python)
-            .args([
-                "-m",
-                "pytest",
-                "--quiet",
-                "crates/python/tests",
-                "--doctest-modules",
-                "--pyargs",
-                "lanchester",
-            ])
-            .env("LANCHESTER_PROGRAM", &program)
-            .current_dir(root()),
-    )?;
+    // Each of the two keeps one processor busy.
+    let (tests, rest) = std::thread::scope(|scope| {
+        let tests = scope.spawn(|| tests(&python, &program));
+        let rest = types_and_notebooks(&python, write);
+        (tests.join(), rest)
+    });
+    let tests = tests.unwrap_or_else(|cause| std::panic::resume_unwind(cause))?;
+    let notebooks = rest?;
+    let last =
+        |text: &str| text.lines().rfind(|line| !line.trim().is_empty()).unwrap_or_default().trim().to_owned();
+    Ok(format!("{}; {}", last(&tests), last(&notebooks)))
+}
+
+/// Tests and doctests of the package that is installed; answers are compared with those of `program`.
+fn tests(python: &Path, program: &Path) -> Result<String> {
+    let line =
+        ["-m", "pytest", "--quiet", "crates/python/tests", "--doctest-modules", "--pyargs", "lanchester"];
+    quiet(Command::new(python).args(line).env("LANCHESTER_PROGRAM", program).current_dir(root()))
+}
+
+/// Types of the sources and of the native module, and the notebooks; with `write` the lessons of the book, which are the notebooks as they ran.
+fn types_and_notebooks(python: &Path, write: bool) -> Result<String> {
     let sources = [
         "-m",
         "mypy",
@@ -99,19 +107,12 @@ pub fn run(arguments: &[String]) -> Result<String> {
         "crates/python/generate.py",
         "crates/python/reference.py",
     ];
-    quiet(Command::new(&python).args(sources).current_dir(root()))?;
-    quiet(
-        Command::new(&python)
-            .args(["-m", "mypy.stubtest", "lanchester._native"])
-            .current_dir(scratch("stubs")?),
-    )?;
-    // The lessons of the book are the notebooks as they ran.
-    let mut execute = Command::new(&python);
+    quiet(Command::new(python).args(sources).current_dir(root()))?;
+    let stubs = ["-m", "mypy.stubtest", "lanchester._native"];
+    quiet(Command::new(python).args(stubs).current_dir(scratch("stubs")?))?;
+    let mut execute = Command::new(python);
     execute.arg("crates/python/notebooks/execute.py").args(write.then_some("--lessons"));
-    let notebooks = quiet(execute.current_dir(root()))?;
-    let last =
-        |text: &str| text.lines().rfind(|line| !line.trim().is_empty()).unwrap_or_default().trim().to_owned();
-    Ok(format!("{}; {}", last(&tests), last(&notebooks)))
+    quiet(execute.current_dir(root()))
 }
 
 /// Builds the wheel into the folder `wheels` of the target folder.

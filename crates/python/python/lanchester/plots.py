@@ -61,6 +61,11 @@ def _legend_below(figure: Figure, axes: Any, count: int = 4) -> None:
     figure.legend(*axes.get_legend_handles_labels(), loc="outside lower center", ncols=count, frameon=False, fontsize=8)
 
 
+def _legend_beneath(axes: Any) -> None:
+    """The same of one of several axes, one line an entry."""
+    axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.18), frameon=False, fontsize=8)
+
+
 def _said(axes: Any, words: str) -> None:
     """Words in the place of what cannot be drawn."""
     axes.set_axis_off()
@@ -575,6 +580,48 @@ def _assigned(found: results.Assignment, figure: Figure) -> None:
     axes.set(title="First order that the parts leave", xlabel="force, and couple over the lever [N]")
 
 
+def _drilled(found: results.Drilling, figure: Figure) -> None:
+    figure.set_figheight(4.8)
+    turn = np.linspace(0.0, 2.0 * np.pi, 181)
+    for axes, plane in zip(np.atleast_1d(figure.subplots(1, max(len(found.planes), 1))), found.planes, strict=True):
+        _arrow(axes, plane.wanted, "to remove", LIMIT)
+        for place, hole in enumerate(plane.holes):
+            removed = hole.unbalance * np.array([np.cos(hole.angle), np.sin(hole.angle)])
+            size = f"{1e3 * hole.diameter:g} mm, {1e3 * hole.depth:.1f} mm deep at {np.degrees(hole.angle):.0f} deg"
+            _arrow(axes, removed, size, COLOURS[place % len(COLOURS)])
+        _arrow(axes, plane.left, "left", BACKWARD)
+        axes.plot(1e6 * plane.tolerance * np.cos(turn), 1e6 * plane.tolerance * np.sin(turn), ":", color=LIMIT, label="may be left")
+        _around(axes, f"Holes in {plane.plane}")
+        _legend_beneath(axes)
+
+
+def _graded(found: results.Grade, figure: Figure) -> None:
+    axes = figure.subplots()
+    rows: list[tuple[str, float, Any]] = [("rotor", found.permissible, found.resultant)]
+    rows += [(f"bearing, z = {1e3 * own.z:.0f} mm", own.permissible, own.measured) for own in found.bearings]
+    rows += [(f"{own.name}, z = {1e3 * own.z:.0f} mm", own.permissible, own.measured) for own in found.planes]
+    _bars(axes, [name for name, _, _ in rows], [1e6 * most for _, most, _ in rows], LIMIT)
+    measured = [(place, 1e6 * float(_size(own))) for place, (_, _, own) in enumerate(rows) if own is not None]
+    if measured:
+        axes.plot([size for _, size in measured], [place for place, _ in measured], "o", color=FORWARD, label="measured")
+        _legend_below(figure, axes)
+    axes.set(title=f"Permissible residual unbalance, G {1e3 * found.grade:g}: {found.name}", xlabel="unbalance [g mm]")
+
+
+def _inside(found: results.InternalBalance, figure: Figure) -> None:
+    figure.set_figheight(4.8)
+    for axes, plane in zip(np.atleast_1d(figure.subplots(1, max(len(found.planes), 1))), found.planes, strict=True):
+        plan = plane.plan
+        turn = np.linspace(0.0, 2.0 * np.pi, 181)
+        axes.plot(1e3 * plan.slug.rim * np.cos(turn), 1e3 * plan.slug.rim * np.sin(turn), color=LIMIT, label="rim of the counterweight")
+        for place, direction in enumerate(np.atleast_1d(plan.directions)):
+            x = 1e3 * (plan.slug.radius * np.cos(direction) + 0.5 * plan.slug.diameter * np.cos(turn))
+            y = 1e3 * (plan.slug.radius * np.sin(direction) + 0.5 * plan.slug.diameter * np.sin(turn))
+            axes.fill(x, y, color=FORWARD, label=f"slugs, {1e3 * plan.length:.1f} mm long" if place == 0 else None)
+        axes.set(title=f"{plane.name}, z = {1e3 * plane.z:.0f} mm", xlabel="x [mm]", ylabel="y [mm]", aspect="equal")
+        _legend_beneath(axes)
+
+
 _DRAWN: dict[type[Result], Callable[[Any, Figure], None]] = {
     results.Loads: _loads,
     results.TorqueReport: _torque,
@@ -607,5 +654,8 @@ _DRAWN: dict[type[Result], Callable[[Any, Figure], None]] = {
     results.ExternalBalance: _outside,
     results.BobweightAnswer: _bobweights,
     results.Correction: _corrected,
+    results.Drilling: _drilled,
+    results.Grade: _graded,
+    results.InternalBalance: _inside,
     results.Assignment: _assigned,
 }
