@@ -141,7 +141,7 @@ pub fn weighed(engine: &Engine, sheet: &BobweightSheet) -> Result<Engine, Worksh
         if riders.len() != pin.cylinders.len() {
             return impossible(
                 format!(
-                    "{} stands for throw {number} with {} rods in the engine, got {} rods",
+                    "{} must have as many rods as throw {number} of the engine, {}, got {}",
                     pin.name,
                     riders.len(),
                     pin.cylinders.len()

@@ -141,6 +141,12 @@ impl FilletFatigue {
         let holds = |safety: Option<f64>| safety.is_none_or(|safety| safety >= wanted);
         holds(self.point.safety_of_all) && holds(self.point.safety_of_amplitude)
     }
+
+    /// The lesser of both safeties; infinite where no cycle of stress loads it.
+    pub fn least_safety(&self) -> f64 {
+        let or_infinite = |safety: Option<f64>| safety.unwrap_or(f64::INFINITY);
+        or_infinite(self.point.safety_of_all).min(or_infinite(self.point.safety_of_amplitude))
+    }
 }
 
 impl CrankFatigue {
@@ -150,9 +156,10 @@ impl CrankFatigue {
         all.max_by(|a, b| a.1.point.plane.value.total_cmp(&b.1.point.plane.value))
     }
 
-    /// Whether every safety, of all stress and of its amplitude, reaches `wanted`.
-    pub fn is_safe(&self, wanted: f64) -> bool {
-        self.speeds.iter().flat_map(|own| &own.fillets).all(|fillet| fillet.is_safe(wanted))
+    /// Speed [rad/s] and fillet of the least safety, of all stress or of its amplitude.
+    pub fn weakest(&self) -> Option<(f64, &FilletFatigue)> {
+        let all = self.speeds.iter().flat_map(|own| own.fillets.iter().map(|fillet| (own.speed, fillet)));
+        all.min_by(|a, b| a.1.least_safety().total_cmp(&b.1.least_safety()))
     }
 
     pub(crate) fn lead(&self) -> String {

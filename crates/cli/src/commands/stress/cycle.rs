@@ -1,6 +1,6 @@
 //! `lanchester stress cycle`: the flexible crankshaft in its bearings.
 
-use super::safety::{is_safe, wanted_safety};
+use super::safety::{endures, is_safe, wanted_safety};
 use super::said::say;
 use crate::commands::{json, open};
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
@@ -68,12 +68,9 @@ fn verdict(found: &CrankCycle, safety: Option<f64>, fatigue: Option<f64>, least_
         status = NOT_AS_EXPECTED;
     }
     if let Some(wanted) = fatigue {
-        match found.endures(wanted) {
-            Some(true) => {}
-            Some(false) => {
-                tell(format_args!("a safety against fatigue is below {wanted}"));
-                status = NOT_AS_EXPECTED;
-            }
+        match found.weakest() {
+            Some((run, fillet)) if endures(fillet, &format!("bearings: {}", run.name()), wanted) => {}
+            Some(_) => status = NOT_AS_EXPECTED,
             None => {
                 tell(
                     "no safety against fatigue is known: give tensile_strength in [crank.material], and fillets in [crank.body]",

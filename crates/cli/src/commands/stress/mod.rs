@@ -4,7 +4,7 @@ mod cycle;
 mod safety;
 mod said;
 
-use self::safety::{is_safe, wanted_safety};
+use self::safety::{endures, is_safe, wanted_safety};
 pub(crate) use self::said::say;
 use crate::commands::{Opened, json, open};
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
@@ -238,7 +238,9 @@ fn fatigue(arguments: &FatigueArguments, colour: bool) -> Result<u8, Failure> {
         Format::Json => json(&found)?,
         Format::Csv => arguments.printed.csv(fatigue_csv(&found)),
     })?;
-    Ok(if found.is_safe(arguments.safety) { DONE } else { NOT_AS_EXPECTED })
+    let Some((speed, fillet)) = found.weakest() else { return Ok(DONE) };
+    let under = format!("{:.0} rpm", speed * 60.0 / std::f64::consts::TAU);
+    Ok(if endures(fillet, &under, arguments.safety) { DONE } else { NOT_AS_EXPECTED })
 }
 
 fn rule(arguments: &RuleArguments, colour: bool) -> Result<u8, Failure> {

@@ -2,6 +2,7 @@
 
 use crate::failure::Failure;
 use crate::files::tell;
+use lanchester::report::FilletFatigue;
 
 /// Whether a static safety is as wanted; says so where it is not.
 pub(super) fn is_safe(found: Option<f64>, wanted: Option<f64>) -> bool {
@@ -14,6 +15,21 @@ pub(super) fn is_safe(found: Option<f64>, wanted: Option<f64>) -> bool {
         ),
     }
     false
+}
+
+/// Whether a fillet's safety against fatigue is as wanted; says so where it is not. `under`: what it was loaded by.
+pub(super) fn endures(fillet: &FilletFatigue, under: &str, wanted: f64) -> bool {
+    let is_safe = fillet.is_safe(wanted);
+    if !is_safe {
+        let of_amplitude = fillet.point.safety_of_amplitude == Some(fillet.least_safety());
+        tell(format_args!(
+            "the safety against fatigue{} at {} ({under}) is {:.3}, wanted is {wanted}",
+            if of_amplitude { " of the amplitude alone" } else { "" },
+            fillet.name,
+            fillet.least_safety()
+        ));
+    }
+    is_safe
 }
 
 /// A safety that is wanted.

@@ -1,7 +1,7 @@
 //! `stress cycle`, and what other commands take from a mesh: condition E, stiffness of throws, torque of the torsional chain.
 
 use super::{COARSE, engine};
-use crate::program::{message, number, output, output_json};
+use crate::program::{lanchester, message, number, output, output_json};
 use std::fs;
 
 /// Gas, flywheel and bearings for the engine of the other tests.
@@ -83,7 +83,12 @@ fn energies_balance_and_limits_end_with_status_1() {
     // A rough surface leaves half the limit.
     let rough =
         ["--bearings", "rigid", "--surface-factor", "0.5", "--fatigue-safety", "2", "--format", "json"];
-    let rough = output_json(&folder, 1, &words(&rough));
+    let run = lanchester(&folder, &words(&rough));
+    assert_eq!(run.status.code(), Some(1));
+    let said = String::from_utf8(run.stderr).unwrap();
+    assert!(said.contains("safety against fatigue") && said.contains("(bearings: rigid)"), "{said}");
+    assert!(said.contains("at pin 1 at web") && said.contains("wanted is 2"), "{said}");
+    let rough: serde_json::Value = serde_json::from_slice(&run.stdout).unwrap();
     let polished = |row: &str| row.split(',').nth(3).unwrap().parse::<f64>().unwrap();
     let polished =
         csv.lines().find(|row| row.contains("pin 1 at web 1,safety of all")).map(polished).unwrap();

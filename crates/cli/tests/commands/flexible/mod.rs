@@ -2,7 +2,7 @@
 
 mod cycle;
 
-use crate::program::{folder, message, number, output, output_json};
+use crate::program::{folder, lanchester, message, number, output, output_json};
 use std::fs;
 use std::path::PathBuf;
 
@@ -524,7 +524,10 @@ fn fatigue_of_the_fillets_is_tabulated() {
     let safety = |found: &serde_json::Value| number(found, "/speeds/0/fillets/0/point/safety_of_all");
     let [polished, rough] = [json(&[]), json(&["--surface-factor", "0.8"])].map(|found| safety(&found));
     assert!((rough / polished - 0.8).abs() < 1e-12, "{rough} {polished}");
-    output(&folder, 1, &[&words(&rest)[..], &["--safety", "1000"]].concat());
+    let weak = lanchester(&folder, &[&words(&rest)[..], &["--safety", "1000"]].concat());
+    let said = String::from_utf8(weak.stderr).unwrap();
+    assert_eq!(weak.status.code(), Some(1), "{said}");
+    assert!(said.contains(" at pin 1 at web ") && said.contains("(4000 rpm)"), "{said}");
 }
 
 #[test]

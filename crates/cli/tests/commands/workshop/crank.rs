@@ -145,7 +145,7 @@ fn bad_input_says_what_to_do() {
     for (command, name, from, to, says) in [
         ("bobweight", v8, "pins = 4", "pins = 5", "stands for throw 5, but the engine has 4"),
         ("bobweight", v8, "pins = 4", "pins = 3", "throw 4 of the engine needs a pin in the sheet"),
-        ("bobweight", v8, "rods = 2", "rods = 1", "with 2 rods in the engine, got 1 rods"),
+        ("bobweight", v8, "rods = 2", "rods = 1", "as many rods as throw 1 of the engine, 2, got 1"),
         ("bobweight", v6, "throw = 3", "throw = 4", "throw 3 of the engine needs a pin in the sheet"),
         ("bobweight", v8, "pins = 4", "reciprocating_share = 50\npins = 4", "must be from 0 to 2, got 50"),
         ("bobweight", v8, "v8-crossplane.toml", "v9.toml", "v9.toml"),

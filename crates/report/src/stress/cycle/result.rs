@@ -342,11 +342,11 @@ impl CrankCycle {
         worst.max_by(|a, b| a.1.point.plane.value.total_cmp(&b.1.point.plane.value))
     }
 
-    /// Whether every safety against fatigue of the runs to go by, of all stress and of its amplitude, reaches `wanted`; `None` where none is known.
-    pub fn endures(&self, wanted: f64) -> Option<bool> {
-        let mut fillets = self.counted().into_iter().flat_map(|run| &run.fatigue).peekable();
-        fillets.peek()?;
-        Some(fillets.all(|fillet| fillet.is_safe(wanted)))
+    /// Run and fillet of the least safety against fatigue, of all stress or of its amplitude, of all runs to go by; `None` where none is known.
+    pub fn weakest(&self) -> Option<(&CycleRun, &FilletFatigue)> {
+        let fillets =
+            self.counted().into_iter().flat_map(|run| run.fatigue.iter().map(move |own| (run, own)));
+        fillets.min_by(|a, b| a.1.least_safety().total_cmp(&b.1.least_safety()))
     }
 
     /// Thinnest film of all runs to go by [m].
