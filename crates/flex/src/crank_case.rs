@@ -56,6 +56,28 @@ impl CrankSupport {
     }
 }
 
+/// How the force on a crankpin is spread over the 180 degrees of its surface that face it (eq. 43.10).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, schemars::JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum PinPressure {
+    /// With the cosine of the angle from the load: largest in its direction, 0 at both ends.
+    #[default]
+    Cosine,
+    /// The same pressure everywhere.
+    Uniform,
+}
+
+impl PinPressure {
+    /// Pressure [1] where the outward normal has the part `facing` against the force.
+    fn at(self, facing: f64) -> f64 {
+        match self {
+            _ if facing <= 0.0 => 0.0,
+            PinPressure::Cosine => facing,
+            PinPressure::Uniform => 1.0,
+        }
+    }
+}
+
 /// A force on a crankpin, in the frame of the crankshaft.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct PinLoad {
@@ -287,6 +309,7 @@ pub fn load_pin(
     surfaces: &BearingSurfaces,
     case: StaticCase,
     load: PinLoad,
+    pressure: PinPressure,
 ) -> Result<StaticCase, FlexError> {
     let size = load.force[0].hypot(load.force[1]);
     if !size.is_finite() {
@@ -302,20 +325,25 @@ pub fn load_pin(
     if size == 0.0 {
         return Ok(case);
     }
-    Ok(press(areas, case, load.force))
+    Ok(press(areas, case, load.force, pressure))
 }
 
 /// Adds a force [N] as a pressure over 180 degrees of a surface, by the areas that its nodes carry.
-pub(crate) fn press(areas: &BTreeMap<u32, SignedArea>, case: StaticCase, force: [f64; 2]) -> StaticCase {
+pub(crate) fn press(
+    areas: &BTreeMap<u32, SignedArea>,
+    case: StaticCase,
+    force: [f64; 2],
+    pressure: PinPressure,
+) -> StaticCase {
     let size = force[0].hypot(force[1]);
     let along = force.map(|force| force / size);
     // The pressure acts where the surface faces against the force, and pushes inwards.
     let mut forces: Vec<(u32, [f64; 2])> = Vec::new();
     let mut sum = [0.0; 2];
     for (node, SignedArea { size, outward: [x, y, _] }) in areas {
-        let facing = -(x * along[0] + y * along[1]);
-        if facing > 0.0 {
-            let force = [-facing * size * x, -facing * size * y];
+        let pressure = pressure.at(-(x * along[0] + y * along[1]));
+        if pressure > 0.0 {
+            let force = [-pressure * size * x, -pressure * size * y];
             sum = [sum[0] + force[0], sum[1] + force[1]];
             forces.push((*node, force));
         }
@@ -338,6 +366,8 @@ pub(crate) fn press(areas: &BTreeMap<u32, SignedArea>, case: StaticCase, force: 
 pub struct CrankLoad {
     /// Forces on its pins.
     pub pins: Vec<PinLoad>,
+    /// How they are spread.
+    pub pressure: PinPressure,
     /// Speed about its axis [rad/s], whose centrifugal field loads the body.
     pub speed: f64,
     /// Rate of that speed [rad/s^2], whose field of tangential inertia loads the body.
@@ -371,7 +401,7 @@ pub fn crank_cases(
             false => base.clone(),
         };
         let base = StaticCase { speed: load.speed, acceleration: load.acceleration, ..own };
-        load.pins.iter().try_fold(base, |case, pin| load_pin(&surfaces, case, *pin))
+        load.pins.iter().try_fold(base, |case, pin| load_pin(&surfaces, case, *pin, load.pressure))
     };
     loads.iter().map(case).collect()
 }

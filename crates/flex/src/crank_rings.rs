@@ -188,8 +188,8 @@ impl Ringed {
         hold_flywheel(crank, &mut case, surfaces)?;
         for (pin, ring) in &self.pins {
             let areas = signed_areas(&self.mesh, &ring.outer);
-            for load in load.pins.iter().filter(|load| load.pin == *pin) {
-                case = press(&areas, case, load.force);
+            for own in load.pins.iter().filter(|own| own.pin == *pin) {
+                case = press(&areas, case, own.force, load.pressure);
             }
             // The node farthest along x: y there is across the ring's radius.
             let nodes = ring.outer_nodes();

@@ -67,7 +67,7 @@ pub fn solve_submodel(
             });
             let held = support_forces(whole, load, solved, [&surfaces, &own_surfaces], moved)?;
             let pins = load.pins.iter().filter(|pin| own_surfaces.areas(&format!("PIN_{}", pin.pin)).is_ok());
-            pins.copied().try_fold(held, |case, pin| load_pin(&own_surfaces, case, pin))
+            pins.copied().try_fold(held, |case, pin| load_pin(&own_surfaces, case, pin, load.pressure))
         })
         .collect::<Result<_, FlexError>>()?;
     // The system needs masses where any case turns.

@@ -9,7 +9,7 @@
 
 use crate::FlexError;
 use crate::case::StaticCase;
-use crate::crank_case::{BearingSurfaces, PinLoad, load_pin};
+use crate::crank_case::{BearingSurfaces, PinLoad, PinPressure, load_pin};
 use crate::crank_mesh::{CUTS, CrankMesh};
 use crate::element::Stress;
 use crate::mesh::cross;
@@ -76,7 +76,7 @@ pub fn throw_stress(
     let radial = throw_direction(bay, throw.pin)?;
     let surfaces = BearingSurfaces::new(bay);
     let load = PinLoad { pin: throw.pin, force: radial.map(|n| -FORCE * n) };
-    let pressed = load_pin(&surfaces, held.clone().clamp(rear), load)?;
+    let pressed = load_pin(&surfaces, held.clone().clamp(rear), load, PinPressure::Cosine)?;
     let front_share = share(bay, &pressed, throw.mains);
     let mut cases: Vec<StaticCase> = (0..6).map(|k| face.moved(held.clone(), k)).collect();
     cases.push(pressed);

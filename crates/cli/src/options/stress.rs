@@ -155,6 +155,15 @@ pub enum LoadsOption {
     Simulation,
 }
 
+/// How the force on a crankpin is spread over the half of its surface that it presses.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum PinPressureOption {
+    /// With the cosine of the angle from the force.
+    Cosine,
+    /// Evenly.
+    Uniform,
+}
+
 /// The loads.
 #[derive(Debug, Clone, Args)]
 pub struct LoadArguments {
@@ -182,6 +191,9 @@ pub struct LoadArguments {
     /// What computes the loads of gas and inertia.
     #[arg(long, value_enum, default_value_t = LoadsOption::ClosedForm, conflicts_with = "force")]
     pub loads: LoadsOption,
+    /// How the force on a crankpin is spread over the 180 deg of its surface that it presses.
+    #[arg(long, value_enum, default_value_t = PinPressureOption::Cosine)]
+    pub pin_pressure: PinPressureOption,
 }
 
 /// `stress static`

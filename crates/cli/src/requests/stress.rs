@@ -3,11 +3,11 @@
 use crate::failure::Failure;
 use crate::options::stress::{
     CycleArguments, FactorArguments, FatigueArguments, LawOption, LoadArguments, LoadsOption, MeshArguments,
-    ReductionOption, RuleArguments, SupportArguments, SupportOption,
+    PinPressureOption, ReductionOption, RuleArguments, SupportArguments, SupportOption,
 };
 use crate::trace_files::read_mesh;
 use lanchester::file::EngineFile;
-use lanchester::flex::crank_case::CrankSupport;
+use lanchester::flex::crank_case::{CrankSupport, PinPressure};
 use lanchester::flex::crank_mesh::CrankMeshOptions;
 use lanchester::flex::sparse::Precision;
 use lanchester::flex::statics::SolveOptions;
@@ -252,7 +252,11 @@ pub fn static_request(
         }
         LoadsOption::Simulation => LoadSource::of_run(&file.tasks, SimulateRequest::default()),
     };
-    Ok(StaticRequest { gas: !load.inertia_only, source, solve: solve_options(own)?, ..plain })
+    let pressure = match load.pin_pressure {
+        PinPressureOption::Cosine => PinPressure::Cosine,
+        PinPressureOption::Uniform => PinPressure::Uniform,
+    };
+    Ok(StaticRequest { gas: !load.inertia_only, source, pressure, solve: solve_options(own)?, ..plain })
 }
 
 /// Loads and speeds. `held`: what holds the crankshaft.

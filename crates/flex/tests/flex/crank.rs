@@ -1,7 +1,7 @@
 //! The mesh of a crankshaft and its static case.
 
 use lanchester_flex::FlexError;
-use lanchester_flex::crank_case::{CrankCase, CrankLoad, CrankSupport, PinLoad, crank_cases};
+use lanchester_flex::crank_case::{CrankCase, CrankLoad, CrankSupport, PinLoad, PinPressure, crank_cases};
 use lanchester_flex::crank_mesh::{CrankMesh, CrankMeshOptions, crank_mesh};
 use lanchester_flex::crank_solve::solve_crank;
 use lanchester_flex::mesh::surface;
@@ -156,18 +156,27 @@ fn static_case_of_a_crankshaft_is_in_balance() {
     assert!((20e6..600e6).contains(&peak(1)));
 }
 
-/// A pressure p_0 cos(a - a_F) over 180 degrees pushes the half of the pin that faces it, p_0 = 2 F/(pi r L), and pulls nowhere.
+/// A pressure p_0 cos(a - a_F) over 180 degrees pushes the half of the pin that faces it, p_0 = 2 F/(pi r L), and pulls nowhere; an even one,
+/// p = F/(2 r L), does the same with more of it at the ends of the half.
 #[test]
 fn pressure_of_a_load_acts_on_one_half_of_the_pin() {
+    // INT cos^4 / INT cos^2 and INT cos^3 / INT cos over the half.
+    for (pressure, wanted) in [(PinPressure::Cosine, 3.0 / 4.0), (PinPressure::Uniform, 2.0 / 3.0)] {
+        let spread = spread_of_a_load(pressure);
+        assert!((spread - wanted).abs() < 0.01, "{pressure:?}: {spread}");
+    }
+}
+
+/// Second moment of the force along itself, by the distance from the axis of the pin along it in radii.
+fn spread_of_a_load(pressure: PinPressure) -> f64 {
     let engine = one_throw("");
     let crank = crank_mesh(&engine, 0, coarse(false)).unwrap();
     let force = [-65e3, 10.66e3];
-    let load = CrankLoad { pins: vec![PinLoad { pin: 1, force }], ..CrankLoad::default() };
+    let load = CrankLoad { pins: vec![PinLoad { pin: 1, force }], pressure, ..CrankLoad::default() };
     let case = crank_cases(&crank, &CrankSupport::Journals, &[load]).unwrap().remove(0);
     let size = f64::hypot(force[0], force[1]);
     let along = force.map(|force| force / size);
-    // Of the force: what acts on the half that faces it, and its second moment about the axis of the pin across the load, in squares of the radius.
-    let (mut facing, mut spread) = (0.0, 0.0);
+    let (mut facing, mut spread, mut sum) = (0.0, 0.0, [0.0; 2]);
     for own in &case.forces {
         let at = crank.mesh.nodes[own.node as usize];
         let place = [at[0] - 0.5 * 0.0955, at[1]];
@@ -175,10 +184,11 @@ fn pressure_of_a_load_acts_on_one_half_of_the_pin() {
         let part = (own.force[0] * along[0] + own.force[1] * along[1]) / size;
         facing += if ahead < 1e-9 { part } else { 0.0 };
         spread += part * ahead * ahead;
+        sum = [sum[0] + own.force[0], sum[1] + own.force[1]];
     }
     assert!((facing - 1.0).abs() < 1e-9, "{facing} of the load pushes");
-    // INT cos^4 / INT cos^2 over the half: 3/4.
-    assert!((spread - 0.75).abs() < 0.01, "{spread}");
+    assert!((0..2).all(|k| (sum[k] - force[k]).abs() < 1e-9 * size), "{sum:?}");
+    spread
 }
 
 #[test]

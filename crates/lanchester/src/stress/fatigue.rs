@@ -14,7 +14,9 @@ use crate::stress::request::{StressError, StressStage, support_words};
 use crate::stress::run::{check_crankshaft, sheet};
 use crate::stress::worst_point::WorstPoint;
 use lanchester_flex::case::StaticCase;
-use lanchester_flex::crank_case::{BearingSurfaces, CrankSupport, PinLoad, crank_support, load_pin};
+use lanchester_flex::crank_case::{
+    BearingSurfaces, CrankSupport, PinLoad, PinPressure, crank_support, load_pin,
+};
 use lanchester_flex::crank_mesh::CrankMesh;
 use lanchester_flex::sparse::SolveReport;
 use lanchester_flex::statics::{SolveOptions, StaticSystem, node_stresses};
@@ -208,7 +210,7 @@ impl UnitStresses {
             for k in 0..DIRECTIONS {
                 let (sin, cos) = (TAU * k as f64 / DIRECTIONS as f64).sin_cos();
                 let load = PinLoad { pin: throw + 1, force: [UNIT * cos, UNIT * sin] };
-                cases.push((load_pin(&surfaces, base.clone(), load)?, UNIT));
+                cases.push((load_pin(&surfaces, base.clone(), load, PinPressure::Cosine)?, UNIT));
             }
         }
         cases.push((StaticCase { speed: top, ..base }, top * top));

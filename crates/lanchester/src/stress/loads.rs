@@ -97,8 +97,8 @@ fn named(
                 .map(|own| PinLoad { pin: own.throw + 1, force: [own.force.re, own.force.im] })
                 .collect(),
             speed: ratio * speed,
-            acceleration: 0.0,
             turn: turn(engine, crankshaft, theta),
+            ..CrankLoad::default()
         },
     }
 }

@@ -108,6 +108,6 @@ pub(crate) fn given(
         name.push_str(&format!(", crank angle {:.1} deg", angle.to_degrees()));
     }
     let turn = turn(engine, crankshaft, angle.unwrap_or(0.0));
-    let load = CrankLoad { pins, speed: own.ratio.value() * speed, turn, acceleration: 0.0 };
+    let load = CrankLoad { pins, speed: own.ratio.value() * speed, turn, ..CrankLoad::default() };
     Ok(NamedLoad { name, theta: angle, speed, forces: forces.to_vec(), load })
 }

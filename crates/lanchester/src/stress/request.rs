@@ -6,7 +6,7 @@ use crate::pressure::error::GasError;
 use crate::simulation::SimulateRequest;
 use crate::stress::mesh::StressMesh;
 use lanchester_flex::FlexError;
-use lanchester_flex::crank_case::CrankSupport;
+use lanchester_flex::crank_case::{CrankSupport, PinPressure};
 use lanchester_flex::sparse::SolveEstimate;
 use lanchester_flex::statics::SolveOptions;
 use lanchester_mechanism::TorqueError;
@@ -75,6 +75,8 @@ pub struct StaticRequest {
     pub load: StressLoad,
     /// What computes them, but for given forces.
     pub source: LoadSource,
+    /// How forces on pins are spread.
+    pub pressure: PinPressure,
     /// Speeds of crankshaft 1 [rad/s]; none: the lowest and the highest of the engine, for given forces standstill, and of a simulated run the one that it starts with.
     pub speeds: Vec<f64>,
     /// Whether the gas of the file acts.
@@ -94,6 +96,7 @@ impl Default for StaticRequest {
             support: CrankSupport::Journals,
             load: StressLoad::default(),
             source: LoadSource::default(),
+            pressure: PinPressure::default(),
             speeds: Vec::new(),
             gas: true,
             submodel: None,

@@ -11,7 +11,7 @@ use crate::stress::request::{
 use crate::stress::submodel::{meshed_bay, submodel};
 use lanchester_flex::Material;
 use lanchester_flex::case::StaticCase;
-use lanchester_flex::crank_case::{BearingSurfaces, CrankLoad, CrankSupport, crank_support};
+use lanchester_flex::crank_case::{BearingSurfaces, CrankLoad, CrankSupport, PinPressure, crank_support};
 use lanchester_flex::crank_solve::solve_crank_watched;
 use lanchester_flex::modes::{ModeKind, modes_watched};
 use lanchester_flex::own_mesh::own_mesh;
@@ -32,6 +32,7 @@ pub fn static_stress(
 ) -> Result<StaticStress, StressError> {
     check_crankshaft(engine, &request.mesh)?;
     let NamedLoads { mut loads, gas, notes: of_loads } = named_loads(engine, traces, request)?;
+    loads.iter_mut().for_each(|own| own.load.pressure = request.pressure);
     if let Some(name) = &request.name {
         loads.iter_mut().for_each(|load| load.name = format!("{name}: {}", load.name));
     }
@@ -59,12 +60,18 @@ pub fn static_stress(
         loading: own.load,
         result,
     });
+    let pressure = match request.pressure {
+        PinPressure::Cosine => "a pressure p0 cos(a)",
+        PinPressure::Uniform => "an even pressure",
+    };
     let mut notes = vec![match request.support {
-        CrankSupport::Rings { .. } => "Loads on a pin act on the outside of its ring as a pressure p0 cos(a) over 180 deg and its whole width between the fillets; no clearance at \
-                                       rest; small displacements, linear elastic but for the contact."
-            .to_owned(),
-        _ => "Loads on a pin act as a pressure p0 cos(a) over 180 deg and its whole width between the fillets; small displacements, linear elastic."
-            .to_owned(),
+        CrankSupport::Rings { .. } => format!(
+            "Loads on a pin act on the outside of its ring as {pressure} over 180 deg and its whole width between the fillets; no clearance at rest; small displacements, linear \
+             elastic but for the contact."
+        ),
+        _ => format!(
+            "Loads on a pin act as {pressure} over 180 deg and its whole width between the fillets; small displacements, linear elastic."
+        ),
     }];
     notes.extend(of_loads);
     if request.support == CrankSupport::Free && !matches!(request.load, StressLoad::Given { .. }) {

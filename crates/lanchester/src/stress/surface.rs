@@ -9,7 +9,8 @@ use crate::stress::unit_fields::{DIRECTIONS, NodeField, Solved, UnitFields};
 use lanchester_flex::FlexError;
 use lanchester_flex::case::StaticCase;
 use lanchester_flex::crank_case::{
-    BearingSurfaces, CrankCase, CrankSupport, PeakStress, PinLoad, crank_support, evaluate, load_pin,
+    BearingSurfaces, CrankCase, CrankSupport, PeakStress, PinLoad, PinPressure, crank_support, evaluate,
+    load_pin,
 };
 use lanchester_flex::crank_mesh::{CrankMesh, FilletPlace};
 use lanchester_flex::element::Stress;
@@ -326,7 +327,8 @@ impl Direct<'_> {
 
     fn case(&self, surfaces: &BearingSurfaces, instant: usize) -> Result<StaticCase, FlexError> {
         let load = |case, own: &ThrowForce| {
-            load_pin(surfaces, case, PinLoad { pin: own.throw + 1, force: [own.force.re, own.force.im] })
+            let load = PinLoad { pin: own.throw + 1, force: [own.force.re, own.force.im] };
+            load_pin(surfaces, case, load, PinPressure::Cosine)
         };
         self.forces[instant].iter().try_fold(self.turning.clone(), load)
     }

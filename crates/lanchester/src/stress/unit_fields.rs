@@ -10,7 +10,7 @@
 
 use crate::stress::request::StressError;
 use lanchester_flex::case::StaticCase;
-use lanchester_flex::crank_case::{BearingSurfaces, PinLoad, load_pin};
+use lanchester_flex::crank_case::{BearingSurfaces, PinLoad, PinPressure, load_pin};
 use lanchester_flex::mesh::Mesh;
 use lanchester_flex::sparse::SolveReport;
 use lanchester_flex::statics::{StaticSolution, StaticSystem, node_stresses};
@@ -117,7 +117,7 @@ impl UnitFields {
             let case = |k: usize| {
                 let (sin, cos) = angle(k).sin_cos();
                 let load = PinLoad { pin: throw + 1, force: [UNIT * cos, UNIT * sin] };
-                load_pin(solved.surfaces, solved.base.clone(), load)
+                load_pin(solved.surfaces, solved.base.clone(), load, PinPressure::Cosine)
             };
             let cases = (0..DIRECTIONS).map(case).collect::<Result<Vec<_>, _>>()?;
             let mut solutions: Vec<StaticSolution> = Vec::with_capacity(DIRECTIONS);

@@ -1142,6 +1142,7 @@ class Engine:
         loads: Literal["closed-form", "simulation"] | None = None,
         force: Sequence[tuple[int, Quantity] | tuple[int, Quantity, Quantity]] = (),
         case: str | None = None,
+        pin_pressure: Literal["cosine", "uniform"] | None = None,
         support: Literal["clamped-ends", "journals", "springs", "rings", "free"] | None = None,
         stiffness: Stiffnesses = (),
         ring_thickness: Quantity | None = None,
@@ -1158,7 +1159,8 @@ class Engine:
         """Static stress of the crankshaft by finite elements: every fillet, pin and journal. The file has a section ``[crank.body]``.
 
         `loads`: the closed form at constant speed, or the run that `simulate` makes of the file. `force`: forces of your own, each the index of a throw, its radial [N]
-        (positive away from the axis) and its tangential force [N]. `case`: one of the file's static cases. `stiffness` [N/m] of ``support="springs"``: one for all journals, or
+        (positive away from the axis) and its tangential force [N]. `case`: one of the file's static cases. `pin_pressure`: over the 180 degrees of
+        a pin that its force presses, with the cosine or even. `stiffness` [N/m] of ``support="springs"``: one for all journals, or
         one for each, a pair of x and y where they differ. `ring_thickness` [m], `ring_modulus` [Pa] of ``support="rings"``. `converge`: three meshes, every number with its band.
 
         `angle` [rad], one or several, else the angles of the largest forces; `size` of the elements [m]; `submodel`: index of a throw whose bay, between the main
@@ -1177,6 +1179,7 @@ class Engine:
             "loads": loads,
             "force": force,
             "case": case,
+            "pin_pressure": pin_pressure,
             "support": support,
             "stiffness": stiffness,
             "ring_thickness": ring_thickness,

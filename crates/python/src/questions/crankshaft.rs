@@ -5,7 +5,7 @@ use crate::failure::Failure;
 use crate::options::Options;
 use crate::prepared::Prepared;
 use crate::question::{How, Question, Run};
-use lanchester::flex::crank_case::CrankSupport;
+use lanchester::flex::crank_case::{CrankSupport, PinPressure};
 use lanchester::flex::crank_mesh::CrankMeshOptions;
 use lanchester::flex::sparse::Precision;
 use lanchester::flex::statics::SolveOptions;
@@ -288,6 +288,9 @@ fn read_static(options: &Options<'_>) -> Result<Run, Failure> {
         speeds: options.speeds("speed")?,
         gas: options.flag("gas")?.unwrap_or(true),
         submodel,
+        pressure: options
+            .word("pin_pressure", &[("cosine", PinPressure::Cosine), ("uniform", PinPressure::Uniform)])?
+            .unwrap_or_default(),
         solve: solve(options)?,
         ..StaticRequest::default()
     };
@@ -316,8 +319,8 @@ fn read_static(options: &Options<'_>) -> Result<Run, Failure> {
         let mut request = StaticRequest { mesh: mesh.of(own, 6)?, ..request.clone() };
         if let Some(name) = &case {
             let found = stress_case(tasks, name).map_err(Failure::refused)?;
-            let StaticRequest { gas, submodel, solve, mesh, .. } = request;
-            request = StaticRequest { gas, submodel, solve, ..StaticRequest::of_case(found, mesh) };
+            let StaticRequest { gas, submodel, pressure, solve, mesh, .. } = request;
+            request = StaticRequest { gas, submodel, pressure, solve, ..StaticRequest::of_case(found, mesh) };
         }
         if simulated {
             request.source = LoadSource::of_run(tasks, SimulateRequest::default());

@@ -98,7 +98,8 @@ fn a_sheet_that_does_not_fit_the_engine() {
             .contains("throw 4 of the engine needs a pin")
     );
     assert!(
-        said("engine = \"v8\"\n[bobweight]\nrods = 1\npins = 4").contains("as many rods as throw 1 of the engine, 2, got 1")
+        said("engine = \"v8\"\n[bobweight]\nrods = 1\npins = 4")
+            .contains("as many rods as throw 1 of the engine, 2, got 1")
     );
     assert!(said("engine = \"v8\"\n[bobweight]\nrods = 2\npins = 5").contains("the engine has 4"));
     let empty = read_sheet("name = \"x\"").sheet.unwrap();

@@ -503,6 +503,26 @@ fn a_sheet_names_all_that_it_lacks() {
 }
 
 #[test]
+fn pressure_on_a_pin_is_even_on_request() {
+    let folder = engine("stress-pressure", str::to_owned);
+    let found = |more: &[&str]| {
+        let rest = [&["static", "--force", "1: -20 kN, 5 kN", "--format", "json"], more].concat();
+        output_json(&folder, 0, &words(&rest))
+    };
+    let [cosine, even] = [found(&[]), found(&["--pin-pressure", "uniform"])];
+    let note = |json: &serde_json::Value| json.pointer("/notes/0").unwrap().as_str().unwrap().to_owned();
+    assert!(note(&cosine).contains("p0 cos(a)") && note(&even).contains("an even pressure"));
+    assert_eq!(even.pointer("/cases/0/loading/pressure").unwrap(), "uniform");
+    // The same force, nearly the same bending, and another deformation of the pin.
+    for axis in 0..3 {
+        let load = |json: &serde_json::Value| number(json, &format!("/cases/0/load/{axis}"));
+        assert!((load(&even) - load(&cosine)).abs() < 1e-6, "N");
+    }
+    let ratio = number(&even, "/cases/0/energy") / number(&cosine, "/cases/0/energy");
+    assert!((ratio - 1.0).abs() < 0.05 && (ratio - 1.0).abs() > 1e-4, "{ratio}");
+}
+
+#[test]
 fn fatigue_of_the_fillets_is_tabulated() {
     let folder = engine("stress-fatigue", str::to_owned);
     let rest = ["fatigue", "--speed", "4000 rpm", "--instants", "24"];
