@@ -3652,7 +3652,7 @@ class CrankLoad(Record):
     """What loads a crankshaft."""
 
     __slots__ = ()
-    _FIELDS = ("acceleration", "pins", "speed", "turn",)
+    _FIELDS = ("acceleration", "pins", "pressure", "speed", "turn",)
 
     @property
     def acceleration(self) -> float:
@@ -3663,6 +3663,11 @@ class CrankLoad(Record):
     def pins(self) -> Records[PinLoad2]:
         """Forces on its pins."""
         return self._all("pins", PinLoad2)
+
+    @property
+    def pressure(self) -> Literal['cosine', 'uniform']:
+        """How they are spread."""
+        return self._get("pressure")  # type: ignore[no-any-return]
 
     @property
     def speed(self) -> float:
