@@ -275,6 +275,7 @@ def test_a_crank_in_its_bearings_is_that_of_the_command_line(tmp_path: Path) -> 
 
 STRESS: list[tuple[list[str], dict[str, Any]]] = [
     (["--force", "1: -65 kN, 10.7 kN"], {"force": [(0, "-65 kN", 10.7e3)]}),
+    (["--force", "1: -65 kN, 10.7 kN", "--pin-pressure", "uniform"], {"force": [(0, "-65 kN", 10.7e3)], "pin_pressure": "uniform"}),
     (["--angle", "24 deg", "--speed", "3000 rpm", "--support", "rings", "--ring-thickness", "6 mm"], {"angle": "24 deg", "speed": "3000 rpm", "support": "rings", "ring_thickness": 6e-3}),
     (
         ["--angle", "24 deg", "--speed", "3000 rpm", "--support", "springs", "--stiffness", "500 kN/mm : 300 kN/mm, 400 kN/mm"],
