@@ -277,7 +277,12 @@ pub struct ExportArguments {
     #[command(flatten)]
     pub load: LoadArguments,
     /// Modes instead of a static case: how many.
-    #[arg(long, value_name = "N", conflicts_with_all = ["angle", "force"], value_parser = clap::value_parser!(u32).range(1..=500))]
+    #[arg(
+        long,
+        value_name = "N",
+        conflicts_with_all = ["case", "angle", "force", "speed", "inertia_only", "loads", "pin_pressure"],
+        value_parser = clap::value_parser!(u32).range(1..=500)
+    )]
     pub modes: Option<u32>,
     /// By how much displacements are shown in `.glb` (a round number unless given) and `.stl` (0 unless given).
     #[arg(long, value_name = "FACTOR")]

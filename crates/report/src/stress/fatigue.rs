@@ -138,8 +138,7 @@ pub struct FilletFatigue {
 impl FilletFatigue {
     /// Whether both safeties, of all stress and of its amplitude, reach `wanted`.
     pub fn is_safe(&self, wanted: f64) -> bool {
-        let holds = |safety: Option<f64>| safety.is_none_or(|safety| safety >= wanted);
-        holds(self.point.safety_of_all) && holds(self.point.safety_of_amplitude)
+        self.least_safety() >= wanted
     }
 
     /// The lesser of both safeties; infinite where no cycle of stress loads it.

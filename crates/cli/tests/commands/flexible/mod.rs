@@ -503,6 +503,22 @@ fn a_sheet_names_all_that_it_lacks() {
 }
 
 #[test]
+fn modes_are_written_without_loads() {
+    let folder = engine("stress-modes-loads", str::to_owned);
+    for load in [
+        &["--loads", "simulation"][..],
+        &["--pin-pressure", "uniform"],
+        &["--speed", "4000 rpm"],
+        &["--case", "unit"],
+        &["--inertia-only"],
+    ] {
+        let line = ["stress", "export", "engine.toml", "--modes", "2", "--output", "modes.vtu"];
+        let said = message(&folder, 2, &[&line[..], load].concat());
+        assert!(said.contains("cannot be used with") && said.contains(load[0]), "{load:?}: {said}");
+    }
+}
+
+#[test]
 fn pressure_on_a_pin_is_even_on_request() {
     let folder = engine("stress-pressure", str::to_owned);
     let found = |more: &[&str]| {
