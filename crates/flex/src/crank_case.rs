@@ -8,8 +8,11 @@ use crate::FlexError;
 use crate::case::{Spring, StaticCase};
 use crate::contact::ContactReport;
 use crate::crank_mesh::CrankMesh;
+use crate::journal_in_film::JournalInFilm;
 use crate::mesh::{Mesh, NodeSet, SignedArea, SurfaceFace, signed_areas, surface, surface_areas};
+use crate::oil_pressure::{OilPressure, summing_to};
 use crate::statics::{NodeStress, StaticSolution, node_stresses};
+use crate::train::{BearingPlace, TrainLaw};
 use serde::Serialize;
 use std::collections::{BTreeMap, BTreeSet, HashSet};
 
@@ -35,6 +38,8 @@ pub enum CrankSupport {
         /// Young's modulus [Pa]; Poisson's ratio is 0.3.
         modulus: f64,
     },
+    /// Where journals, loads and the oil films of the main bearings rest in equilibrium: [`CrankLoad::films`]. Turning and axial motion as with `Journals`.
+    Films,
     /// None: loads are balanced by inertia.
     Free,
 }
@@ -47,7 +52,7 @@ impl CrankSupport {
 
     /// Whether it holds the same way whatever the load, so that solutions at one crank angle can be added up.
     pub fn is_linear(&self) -> bool {
-        !matches!(self, CrankSupport::Rings { .. })
+        !matches!(self, CrankSupport::Rings { .. } | CrankSupport::Films)
     }
 
     /// Whether it holds a turning crankshaft differently at every crank angle: springs whose two directions differ.
@@ -56,15 +61,17 @@ impl CrankSupport {
     }
 }
 
-/// How the force on a crankpin is spread over the 180 degrees of its surface that face it (eq. 43.10).
+/// How the force on a crankpin is spread over its surface (eq. 43.10).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum PinPressure {
-    /// With the cosine of the angle from the load: largest in its direction, 0 at both ends.
+    /// With the cosine of the angle from the load, over the 180 degrees that face it: largest in its direction, 0 at both ends.
     #[default]
     Cosine,
-    /// The same pressure everywhere.
+    /// The same pressure everywhere on these 180 degrees.
     Uniform,
+    /// As the pressure of the oil films of its big ends: [`CrankLoad::oil`].
+    Film,
 }
 
 impl PinPressure {
@@ -72,7 +79,7 @@ impl PinPressure {
     fn at(self, facing: f64) -> f64 {
         match self {
             _ if facing <= 0.0 => 0.0,
-            PinPressure::Cosine => facing,
+            PinPressure::Cosine | PinPressure::Film => facing,
             PinPressure::Uniform => 1.0,
         }
     }
@@ -133,6 +140,9 @@ pub struct CrankCase {
     pub webs: Vec<SurfacePeak>,
     /// With rings: how they touch.
     pub contact: Option<ContactReport>,
+    /// In oil films: how each main bearing's journal rests.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub films: Vec<JournalInFilm>,
 }
 
 /// How far from a sharp corner, over the radius of its pin or journal, a stress counts: nearer it grows with every refinement.
@@ -150,7 +160,7 @@ const RIGID: f64 = 1e12;
 ///
 /// # Errors
 /// [`FlexError::Missing`] where the mesh lacks a set; [`FlexError::Number`] for a stiffness that is none, or as many as there are not journals;
-/// [`FlexError::Nonlinear`] for rings.
+/// [`FlexError::Nonlinear`] for rings and films.
 pub fn crank_support(
     crank: &CrankMesh,
     surfaces: &BearingSurfaces,
@@ -169,7 +179,7 @@ pub fn crank_support(
         CrankSupport::Free => {
             return Ok(StaticCase { name: "free".to_owned(), inertia_relief: true, ..case });
         }
-        CrankSupport::Rings { .. } => return Err(FlexError::Nonlinear),
+        CrankSupport::Rings { .. } | CrankSupport::Films => return Err(FlexError::Nonlinear),
         CrankSupport::Journals => ("journals", vec![[RIGID; 2]; journals.len()]),
         CrankSupport::Springs { stiffness } => ("springs", stiffness_of_each(stiffness, journals.len())?),
     };
@@ -251,6 +261,7 @@ pub struct BearingSurfaces(BTreeMap<String, BearingSurface>);
 /// A surface by its nodes.
 #[derive(Debug, Clone, PartialEq)]
 struct BearingSurface {
+    faces: Vec<SurfaceFace>,
     areas: BTreeMap<u32, [f64; 3]>,
     signed: BTreeMap<u32, SignedArea>,
 }
@@ -264,7 +275,8 @@ impl BearingSurfaces {
             let is_own = |face: &&SurfaceFace| face.nodes.iter().all(|node| own.contains(node));
             let faces: Vec<SurfaceFace> = faces.iter().filter(is_own).cloned().collect();
             let areas = surface_areas(&crank.mesh, &faces);
-            (set.name.clone(), BearingSurface { areas, signed: signed_areas(&crank.mesh, &faces) })
+            let signed = signed_areas(&crank.mesh, &faces);
+            (set.name.clone(), BearingSurface { faces, areas, signed })
         };
         BearingSurfaces(crank.mesh.sets.iter().map(of).collect())
     }
@@ -301,7 +313,7 @@ fn weights(areas: &BTreeMap<u32, SignedArea>) -> Vec<(u32, f64)> {
     sized.filter(|(_, weight)| weight.abs() > 1e-9).collect()
 }
 
-/// Adds a force on a pin as a pressure over 180 degrees of its surface (eq. 43.10).
+/// Adds a force on a pin as a pressure over 180 degrees of its surface (eq. 43.10); that of films is taken for the cosine.
 ///
 /// # Errors
 /// [`FlexError::Missing`] where there is no such pin; [`FlexError::Number`] for a force that is none.
@@ -361,6 +373,79 @@ pub(crate) fn press(
     case
 }
 
+/// Adds the forces of a load on all pins, spread as it says.
+///
+/// # Errors
+/// As [`load_pin`]; [`FlexError::Missing`] where the pressure of films is wanted and a loaded pin has none.
+pub(crate) fn load_pins(
+    mesh: &Mesh,
+    surfaces: &BearingSurfaces,
+    case: StaticCase,
+    load: &CrankLoad,
+) -> Result<StaticCase, FlexError> {
+    load.pins.iter().try_fold(case, |case, pin| {
+        if load.pressure != PinPressure::Film || pin.force == [0.0; 2] {
+            return load_pin(surfaces, case, *pin, load.pressure);
+        }
+        let name = format!("PIN_{}", pin.pin);
+        let films: Vec<&OilPressure> = load.oil.iter().filter(|own| own.place.set == name).collect();
+        press_films(mesh, surfaces, case, &films, pin.force)
+    })
+}
+
+/// Adds a force on a bearing surface [N] with the pattern of the films upon it.
+///
+/// # Errors
+/// [`FlexError::Missing`] where there is no film or no such surface.
+pub(crate) fn press_films(
+    mesh: &Mesh,
+    surfaces: &BearingSurfaces,
+    case: StaticCase,
+    films: &[&OilPressure],
+    force: [f64; 2],
+) -> Result<StaticCase, FlexError> {
+    let missing = |name: &str| FlexError::Missing {
+        what: "pressure of an oil film",
+        name: name.to_owned(),
+        hint: "the films of all big ends are needed at the instant of the load, or spread it with the cosine",
+    };
+    let Some(first) = films.first() else { return Err(missing("on a loaded pin")) };
+    let surface = surfaces.surface(&first.place.set)?;
+    let all: f64 = surface.areas.values().map(|[x, y, _]| x.hypot(*y)).sum();
+    let middle = [0, 1].map(|k| {
+        let part = |(node, [x, y, _]): (&u32, &[f64; 3])| x.hypot(*y) * mesh.nodes[*node as usize][k];
+        surface.areas.iter().map(part).sum::<f64>() / all
+    });
+    let (mut sum, mut touching) = (BTreeMap::<u32, [f64; 2]>::new(), [0.0; 2]);
+    for film in films {
+        for (node, own) in film.forces(mesh, &surface.faces, middle) {
+            let sum = sum.entry(node).or_default();
+            (0..2).for_each(|k| sum[k] += own[k]);
+        }
+        (0..2).for_each(|k| touching[k] += film.contact[k]);
+    }
+    let mut case = case;
+    // Roughness that touches carries its share where journal and shell are nearest.
+    if touching != [0.0; 2] {
+        case = press(&surface.signed, case, touching, PinPressure::Cosine);
+    }
+    let wanted = [0, 1].map(|k| force[k] - touching[k]);
+    let forces = summing_to(&sum, wanted).ok_or_else(|| missing(&first.place.set))?;
+    for (node, [x, y]) in forces {
+        case = case.push(&[(node, 1.0)], [x, y, 0.0]);
+    }
+    Ok(case)
+}
+
+/// The law of a main bearing, where a crankshaft rests in films.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FilmBearing {
+    /// Which one.
+    pub place: BearingPlace,
+    /// Its law.
+    pub law: TrainLaw,
+}
+
 /// What loads a crankshaft.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, schemars::JsonSchema)]
 pub struct CrankLoad {
@@ -368,6 +453,12 @@ pub struct CrankLoad {
     pub pins: Vec<PinLoad>,
     /// How they are spread.
     pub pressure: PinPressure,
+    /// Where they are spread as oil films press: the films of the big ends at the instant of the load.
+    #[serde(skip)]
+    pub oil: Vec<OilPressure>,
+    /// Where the crankshaft rests in films: those of all main bearings, along it.
+    #[serde(skip)]
+    pub films: Vec<FilmBearing>,
     /// Speed about its axis [rad/s], whose centrifugal field loads the body.
     pub speed: f64,
     /// Rate of that speed [rad/s^2], whose field of tangential inertia loads the body.
@@ -401,7 +492,7 @@ pub fn crank_cases(
             false => base.clone(),
         };
         let base = StaticCase { speed: load.speed, acceleration: load.acceleration, ..own };
-        load.pins.iter().try_fold(base, |case, pin| load_pin(&surfaces, case, *pin, load.pressure))
+        load_pins(&crank.mesh, &surfaces, base, load)
     };
     loads.iter().map(case).collect()
 }
@@ -514,6 +605,7 @@ pub fn evaluate(crank: &CrankMesh, solution: StaticSolution) -> CrankCase {
         surfaces,
         webs,
         contact: None,
+        films: Vec::new(),
         solution,
         stresses,
     }

@@ -2,7 +2,9 @@
 
 use crate::case::StaticCase;
 use crate::contact::{ContactFace, ContactSystem, Ring, RingShape, add_ring};
-use crate::crank_case::{BearingSurfaces, CrankCase, CrankLoad, PinLoad, evaluate, hold_flywheel, press};
+use crate::crank_case::{
+    BearingSurfaces, CrankCase, CrankLoad, PinLoad, PinPressure, evaluate, hold_flywheel, press,
+};
 use crate::crank_mesh::CrankMesh;
 use crate::deck::{Analysis, with_contact, write_deck};
 use crate::mesh::{Mesh, signed_areas, surface};
@@ -46,6 +48,7 @@ pub(crate) fn solve_on_rings(
     watch: &dyn Fn(&SolveEstimate),
 ) -> Result<Vec<CrankCase>, FlexError> {
     check(rings)?;
+    loads.iter().try_for_each(check_pressure)?;
     let surfaces = BearingSurfaces::new(crank);
     for pin in loads.iter().flat_map(|load| &load.pins) {
         check_force(pin)?;
@@ -87,6 +90,7 @@ pub fn rings_deck(
     name: &str,
 ) -> Result<String, FlexError> {
     check(rings)?;
+    check_pressure(load)?;
     let ringed = ringed(crank, rings, &pins_of(load))?;
     let case = ringed.case(crank, &BearingSurfaces::new(crank), load)?;
     let case = StaticCase { name: name.to_owned(), ..as_node_forces(&ringed.mesh, &case)? };
@@ -125,6 +129,18 @@ fn check(rings: RingsOf) -> Result<(), FlexError> {
         }
     }
     Ok(())
+}
+
+/// Refuses films on the outside of rings.
+fn check_pressure(load: &CrankLoad) -> Result<(), FlexError> {
+    if load.pressure != PinPressure::Film {
+        return Ok(());
+    }
+    Err(FlexError::Missing {
+        what: "oil film",
+        name: "on the outside of a ring".to_owned(),
+        hint: "rings take their load there: spread it with the cosine or evenly, or choose another support",
+    })
 }
 
 fn check_force(load: &PinLoad) -> Result<(), FlexError> {

@@ -3,6 +3,7 @@
 use crate::FlexError;
 use crate::case::StaticCase;
 use crate::crank_case::{CrankCase, CrankLoad, CrankSupport, crank_cases, evaluate};
+use crate::crank_films::solve_in_films;
 use crate::crank_mesh::CrankMesh;
 use crate::crank_rings::{RingsOf, solve_on_rings};
 use crate::sparse::SolveEstimate;
@@ -34,6 +35,9 @@ pub fn solve_crank_watched(
 ) -> Result<Vec<CrankCase>, FlexError> {
     if let CrankSupport::Rings { thickness, modulus } = *support {
         return solve_on_rings(crank, RingsOf { thickness, modulus }, loads, options, watch);
+    }
+    if *support == CrankSupport::Films {
+        return solve_in_films(crank, loads, options, watch);
     }
     let cases = crank_cases(crank, support, loads)?;
     let mut found: Vec<Option<CrankCase>> = loads.iter().map(|_| None).collect();

@@ -74,11 +74,33 @@ pub enum FlexError {
         /// What stands against it.
         what: &'static str,
     },
-    /// Rings where solutions would have to be added up.
+    /// Rings or films where solutions would have to be added up.
     #[error(
-        "rings hold the crankshaft by contact, which depends on the load: this needs a support that is linear\nhint: support it on its journals, by springs, or at its ends"
+        "rings and oil films hold the crankshaft differently under every load: this needs a support that is linear\nhint: support it on its journals, by springs, or at its ends"
     )]
     Nonlinear,
+    /// A film that cannot be.
+    #[error("{bearing}: {error}")]
+    Film {
+        /// Which bearing.
+        bearing: String,
+        /// Why.
+        error: lanchester_film::FilmError,
+    },
+    /// A film without thickness under a load that stays.
+    #[error(
+        "{bearing}: under this load, if it stays, the oil film is thinner than {:.3} um, the least of its table\nhint: a higher speed, thicker oil or less clearance; within the cycle \
+         a film that is squeezed carries more: ask for the crank train over the cycle",
+        1e6 * .needed
+    )]
+    Overloaded {
+        /// Which bearing.
+        bearing: String,
+        /// What is left [m].
+        least_film: f64,
+        /// Thinnest known film [m].
+        needed: f64,
+    },
     /// A matrix without a Cholesky factor.
     #[error(
         "the stiffness matrix is not positive definite at unknown {unknown}\nhint: a support leaves a motion free, or an element is badly shaped"

@@ -9,7 +9,7 @@
 use crate::FlexError;
 use crate::case::StaticCase;
 use crate::crank_case::{
-    BearingSurfaces, CrankCase, CrankLoad, CrankSupport, crank_support, evaluate, load_pin,
+    BearingSurfaces, CrankCase, CrankLoad, CrankSupport, PinLoad, crank_support, evaluate, load_pins,
 };
 use crate::crank_mesh::{CUTS, CrankMesh};
 use crate::mesh::PlaceInMesh;
@@ -66,8 +66,9 @@ pub fn solve_submodel(
                 })
             });
             let held = support_forces(whole, load, solved, [&surfaces, &own_surfaces], moved)?;
-            let pins = load.pins.iter().filter(|pin| own_surfaces.areas(&format!("PIN_{}", pin.pin)).is_ok());
-            pins.copied().try_fold(held, |case, pin| load_pin(&own_surfaces, case, pin, load.pressure))
+            let is_own = |pin: &PinLoad| own_surfaces.areas(&format!("PIN_{}", pin.pin)).is_ok();
+            let pins = load.pins.iter().copied().filter(is_own).collect();
+            load_pins(&bay.mesh, &own_surfaces, held, &CrankLoad { pins, ..load.clone() })
         })
         .collect::<Result<_, FlexError>>()?;
     // The system needs masses where any case turns.
@@ -95,7 +96,7 @@ pub fn solve_submodel(
 /// [`FlexError::Nonlinear`] for rings, whose pressures are not known to the bay; [`FlexError::Cut`] for a free crankshaft.
 pub fn check_cut(support: &CrankSupport) -> Result<(), FlexError> {
     match support {
-        CrankSupport::Rings { .. } => Err(FlexError::Nonlinear),
+        CrankSupport::Rings { .. } | CrankSupport::Films => Err(FlexError::Nonlinear),
         CrankSupport::Free => Err(FlexError::Cut {
             what: "a crankshaft without supports is balanced by its inertia as a whole",
         }),

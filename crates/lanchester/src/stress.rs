@@ -10,6 +10,7 @@ pub(crate) mod fillet_bands;
 pub(crate) mod loads;
 pub(crate) mod mesh;
 pub(crate) mod named_load;
+pub(crate) mod oil;
 pub(crate) mod own_mesh;
 pub(crate) mod reduce;
 pub(crate) mod request;

@@ -281,6 +281,7 @@ STRESS: list[tuple[list[str], dict[str, Any]]] = [
         ["--angle", "24 deg", "--speed", "3000 rpm", "--support", "springs", "--stiffness", "500 kN/mm : 300 kN/mm, 400 kN/mm"],
         {"angle": "24 deg", "speed": "3000 rpm", "support": "springs", "stiffness": [("500 kN/mm", 3e8), "400 kN/mm"]},
     ),
+    (["--angle", "24 deg", "--speed", "3000 rpm", "--support", "film", "--pin-pressure", "film"], {"angle": "24 deg", "speed": "3000 rpm", "support": "film", "pin_pressure": "film"}),
     (["--angle", "24 deg", "--speed", "3000 rpm", "--loads", "simulation"], {"angle": "24 deg", "speed": "3000 rpm", "loads": "simulation"}),
 ]
 

@@ -94,13 +94,15 @@ pub enum StressSupport {
         /// Along x and y of the block [N/m]: one for all journals, or one for each from the free end on.
         stiffness: Vec<[f64; 2]>,
     },
+    /// The oil films of the main bearings, in which the crankshaft rests in equilibrium.
+    Film,
     /// None: loads are balanced by inertia.
     Free,
 }
 
 impl StressSupport {
     /// Words of the engine file for the kinds of support.
-    pub const WORDS: [&'static str; 5] = ["clamped-ends", "journals", "rings", "springs", "free"];
+    pub const WORDS: [&'static str; 6] = ["clamped-ends", "journals", "rings", "springs", "film", "free"];
 
     /// Its word in the engine file.
     pub fn word(&self) -> &'static str {
@@ -109,6 +111,7 @@ impl StressSupport {
             StressSupport::Journals => "journals",
             StressSupport::Rings { .. } => "rings",
             StressSupport::Springs { .. } => "springs",
+            StressSupport::Film => "film",
             StressSupport::Free => "free",
         }
     }

@@ -141,6 +141,8 @@ pub enum SupportOption {
     /// A ring around each journal, fixed at its outside, and around each loaded pin, pressed there by the load: contact without friction, which opens
     /// where it would pull. For static cases alone.
     Rings,
+    /// The oil films of the main bearings: each load rests in equilibrium with their pressure. For static cases alone.
+    Film,
     /// None: loads balanced by the crankshaft's own inertia.
     Free,
 }
@@ -155,13 +157,15 @@ pub enum LoadsOption {
     Simulation,
 }
 
-/// How the force on a crankpin is spread over the half of its surface that it presses.
+/// How the force on a crankpin is spread over its surface.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum PinPressureOption {
-    /// With the cosine of the angle from the force.
+    /// With the cosine of the angle from the force, over the 180 deg that it presses.
     Cosine,
-    /// Evenly.
+    /// Evenly over the same 180 deg.
     Uniform,
+    /// As the oil films of the big ends press at that crank angle: with loads of the closed form.
+    Film,
 }
 
 /// The loads.
@@ -191,7 +195,7 @@ pub struct LoadArguments {
     /// What computes the loads of gas and inertia.
     #[arg(long, value_enum, default_value_t = LoadsOption::ClosedForm, conflicts_with = "force")]
     pub loads: LoadsOption,
-    /// How the force on a crankpin is spread over the 180 deg of its surface that it presses.
+    /// How the force on a crankpin is spread over its surface.
     #[arg(long, value_enum, default_value_t = PinPressureOption::Cosine)]
     pub pin_pressure: PinPressureOption,
 }

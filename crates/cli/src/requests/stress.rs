@@ -201,6 +201,7 @@ pub fn support(own: &SupportArguments, default: CrankSupport) -> Result<CrankSup
         }
         Some(SupportOption::ClampedEnds) => CrankSupport::ClampedEnds,
         Some(SupportOption::Journals) => CrankSupport::Journals,
+        Some(SupportOption::Film) => CrankSupport::Films,
         Some(SupportOption::Free) => CrankSupport::Free,
         Some(SupportOption::Springs) => {
             let text = own.stiffness.as_deref().unwrap_or_default();
@@ -255,6 +256,7 @@ pub fn static_request(
     let pressure = match load.pin_pressure {
         PinPressureOption::Cosine => PinPressure::Cosine,
         PinPressureOption::Uniform => PinPressure::Uniform,
+        PinPressureOption::Film => PinPressure::Film,
     };
     Ok(StaticRequest { gas: !load.inertia_only, source, pressure, solve: solve_options(own)?, ..plain })
 }

@@ -67,7 +67,10 @@ impl File {
                     let list: Vec<String> = stiffness.iter().map(one).collect();
                     self.entry("stiffness", &format!("[{}]", list.join(", ")));
                 }
-                StressSupport::ClampedEnds | StressSupport::Journals | StressSupport::Free => {}
+                StressSupport::ClampedEnds
+                | StressSupport::Journals
+                | StressSupport::Film
+                | StressSupport::Free => {}
             }
         }
     }

@@ -50,6 +50,11 @@ name = "Fired"
 angle = "24 deg"
 support = "rings"
 ring_thickness = "5 mm"
+
+[[stress.case]]
+name = "at rest"
+angle = "24 deg"
+support = "film"
 "#;
 
 #[test]
@@ -58,7 +63,7 @@ fn cases_and_mesh_are_read_and_written_again() {
     let stress = own.tasks.stress.as_ref().unwrap();
     assert_eq!((stress.mesh.size, stress.mesh.fillet_elements), (Some(0.014), Some(4)));
     let names: Vec<&str> = stress.cases.iter().map(|case| case.name.as_str()).collect();
-    assert_eq!(names, ["unit radial", "both pins", "Fired"]);
+    assert_eq!(names, ["unit radial", "both pins", "Fired", "at rest"]);
     assert_eq!(stress.cases[0].support, StressSupport::Journals);
     let force = CasePinForce { throw: 0, radial: -65e3, tangential: 0.0 };
     assert_eq!(stress.cases[0].load, StressCaseLoad::Forces { forces: vec![force], angle: None });
@@ -66,6 +71,7 @@ fn cases_and_mesh_are_read_and_written_again() {
     assert_eq!(stiffness, &[[5e8; 2], [4e8, 3e8], [0.0; 2]]);
     assert_eq!(stress.cases[1].speed, Some(100.0 * std::f64::consts::PI));
     assert_eq!(stress.cases[2].support, StressSupport::Rings { thickness: Some(5e-3), modulus: None });
+    assert_eq!(stress.cases[3].support, StressSupport::Film);
     // Capitals and blanks around a name do not count.
     assert_eq!(stress.case(" fired").map(|case| &case.name[..]), Some("Fired"));
     assert_eq!(stress.case("firing"), None);

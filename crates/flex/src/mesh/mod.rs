@@ -14,6 +14,6 @@ pub(crate) use carried::cross;
 pub use data::{Element, Mesh, NodeSet};
 pub use places::PlaceInMesh;
 pub use quality::{LEAST_JACOBIAN, MeshQuality, quality};
-pub(crate) use surface::face_points;
 pub use surface::{SignedArea, SurfaceFace, signed_areas, surface, surface_areas};
+pub(crate) use surface::{face_points, weighted_areas};
 pub use weight::CarriedWeight;

@@ -49,24 +49,37 @@ fn face_nodes(kind: ElementKind, face: &[usize]) -> Vec<usize> {
 /// For each node of faces the share of their area that its shape function carries, as a vector along the outward normal [m^2].
 /// A pressure `p` gives the force `-p` times it.
 pub fn surface_areas(mesh: &Mesh, faces: &[SurfaceFace]) -> BTreeMap<u32, [f64; 3]> {
+    weighted_areas(mesh, faces, 1, &|_| 1.0)
+}
+
+/// As [`surface_areas`], each piece of the surface times a weight that depends on its place: with a pressure [Pa] the forces against it [N]. `parts`: the
+/// pieces into which a side of a face is cut, for weights that change within it.
+pub(crate) fn weighted_areas(
+    mesh: &Mesh,
+    faces: &[SurfaceFace],
+    parts: usize,
+    weight: &dyn Fn([f64; 3]) -> f64,
+) -> BTreeMap<u32, [f64; 3]> {
     let mut areas: BTreeMap<u32, [f64; 3]> = BTreeMap::new();
     for face in faces {
-        for (at, weight) in face_rule(face.nodes.len()) {
+        for (at, share) in fine_face_rule(face.nodes.len(), parts) {
             let (n, d) = face_shape(face.nodes.len(), at);
-            let mut tangents = [[0.0; 3]; 2];
+            let (mut middle, mut tangents) = ([0.0; 3], [[0.0; 3]; 2]);
             for (k, node) in face.nodes.iter().enumerate() {
                 let place = mesh.nodes[*node as usize];
                 for axis in 0..3 {
+                    middle[axis] += n[k] * place[axis];
                     tangents[0][axis] += d[k][0] * place[axis];
                     tangents[1][axis] += d[k][1] * place[axis];
                 }
             }
+            let share = share * weight(middle);
             let [a, b] = tangents;
             let normal = [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
             for (k, node) in face.nodes.iter().enumerate() {
                 let area = areas.entry(*node).or_default();
                 for axis in 0..3 {
-                    area[axis] += weight * n[k] * normal[axis];
+                    area[axis] += share * n[k] * normal[axis];
                 }
             }
         }
@@ -154,6 +167,36 @@ fn face_rule(nodes: usize) -> Vec<([f64; 2], f64)> {
     }
     let rule = crate::element::stiffness_rule(ElementKind::Hexahedron);
     rule[9..18].iter().map(|point| ([point.at[0], point.at[1]], point.weight / (8.0 / 9.0))).collect()
+}
+
+/// The integration points of every piece of a face whose sides are cut into so many parts.
+fn fine_face_rule(nodes: usize, parts: usize) -> Vec<([f64; 2], f64)> {
+    let rule = face_rule(nodes);
+    if parts <= 1 {
+        return rule;
+    }
+    let count = parts as f64;
+    let mut fine = Vec::new();
+    for (i, j) in (0..parts).flat_map(|i| (0..parts).map(move |j| (i, j))) {
+        let corner = [i as f64, j as f64];
+        for ([r, s], weight) in &rule {
+            let weight = weight / (count * count);
+            if nodes != 6 {
+                let at = [(*r, corner[0]), (*s, corner[1])]
+                    .map(|(at, corner)| (2.0 * corner + 1.0 + at) / count - 1.0);
+                fine.push((at, weight));
+                continue;
+            }
+            // A triangle has one piece that stands and, but along its long side, one upside down beside each place.
+            if i + j < parts {
+                fine.push(([(corner[0] + r) / count, (corner[1] + s) / count], weight));
+            }
+            if i + j + 1 < parts {
+                fine.push(([(corner[0] + 1.0 - r) / count, (corner[1] + 1.0 - s) / count], weight));
+            }
+        }
+    }
+    fine
 }
 
 /// Shape functions of a face and their derivatives by its two coordinates.

@@ -26,6 +26,7 @@ mod ties;
 pub use basis::{BasisKind, BasisOptions, CrankBasis, crank_basis};
 pub use body::CrankBody;
 pub use coupling::BearingPlace;
+pub(crate) use coupling::Coupling;
 pub use cycle::{
     CycleOptions, CycleOutcome, CycleState, CycleWatch, EnergyBalance, RecordedCycle, TrainCycles,
     run_cycles, run_cycles_watched, run_free,

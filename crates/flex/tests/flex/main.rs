@@ -11,6 +11,7 @@ mod crank_circles;
 mod crank_kinds;
 mod crank_parts;
 mod elements;
+mod films;
 mod own_mesh;
 mod reduction;
 mod rings;

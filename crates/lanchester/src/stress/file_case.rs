@@ -45,6 +45,7 @@ impl StaticRequest {
                 modulus: modulus.unwrap_or(RING[1]),
             },
             StressSupport::Springs { stiffness } => CrankSupport::Springs { stiffness: stiffness.clone() },
+            StressSupport::Film => CrankSupport::Films,
             StressSupport::Free => CrankSupport::Free,
         };
         StaticRequest {

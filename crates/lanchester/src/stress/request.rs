@@ -208,9 +208,18 @@ pub enum StressError {
     /// No oil films.
     #[error(transparent)]
     Films(#[from] BearingFilmsError),
+    /// Films that a static case cannot have.
+    #[error("no oil films: {reason}\nhint: {hint}")]
+    NoFilms {
+        /// Why.
+        reason: &'static str,
+        /// What fixes it.
+        hint: &'static str,
+    },
     /// The crank train of this engine is none of plain rods.
     #[error(
-        "cylinder {cylinder} has an articulated rod: a flexible crankshaft over the cycle knows rods on crankpins alone\nhint: static stress and fatigue take articulated rods"
+        "cylinder {cylinder} has an articulated rod: oil films on crankpins and a flexible crankshaft over the cycle know rods on crankpins alone\nhint: static stress and \
+         fatigue take articulated rods, with a pressure on the pins that needs no film"
     )]
     Articulated {
         /// Its number.
@@ -376,6 +385,9 @@ pub fn support_words(support: &CrankSupport) -> String {
             in_four_places(1e3 * *thickness),
             in_four_places(1e-9 * *modulus)
         ),
+        CrankSupport::Films => {
+            "in equilibrium with the oil films of the main bearings, flywheel end fixed along and about the axis".to_owned()
+        }
         CrankSupport::Free => "none: loads balanced by the inertia of the crankshaft (inertia relief)".to_owned(),
     }
 }

@@ -4,6 +4,7 @@ use crate::pressure::measured::TraceFile;
 use crate::stress::loads::named_loads;
 use crate::stress::mesh::{MeshFile, StressMesh};
 use crate::stress::named_load::NamedLoads;
+use crate::stress::oil::{add_films, check_films};
 use crate::stress::own_mesh::own_mesh_plan;
 use crate::stress::request::{
     ModesRequest, StaticRequest, StressError, StressLoad, StressStage, support_words,
@@ -31,7 +32,9 @@ pub fn static_stress(
     watch: &dyn Fn(StressStage),
 ) -> Result<StaticStress, StressError> {
     check_crankshaft(engine, &request.mesh)?;
+    check_films(request)?;
     let NamedLoads { mut loads, gas, notes: of_loads } = named_loads(engine, traces, request)?;
+    let of_films = add_films(engine, traces, request, &mut loads)?;
     loads.iter_mut().for_each(|own| own.load.pressure = request.pressure);
     if let Some(name) = &request.name {
         loads.iter_mut().for_each(|load| load.name = format!("{name}: {}", load.name));
@@ -63,8 +66,13 @@ pub fn static_stress(
     let pressure = match request.pressure {
         PinPressure::Cosine => "a pressure p0 cos(a)",
         PinPressure::Uniform => "an even pressure",
+        PinPressure::Film => "the pressure of its films",
     };
     let mut notes = vec![match request.support {
+        _ if request.pressure == PinPressure::Film => {
+            "Loads on a pin act as the pressure of its oil films; small displacements, linear elastic."
+                .to_owned()
+        }
         CrankSupport::Rings { .. } => format!(
             "Loads on a pin act on the outside of its ring as {pressure} over 180 deg and its whole width between the fillets; no clearance at rest; small displacements, linear \
              elastic but for the contact."
@@ -74,6 +82,7 @@ pub fn static_stress(
         ),
     }];
     notes.extend(of_loads);
+    notes.extend(of_films);
     if request.support == CrankSupport::Free && !matches!(request.load, StressLoad::Given { .. }) {
         notes.push(
             "Without supports the bearings carry nothing: the loads accelerate the crankshaft as a whole."

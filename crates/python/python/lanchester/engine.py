@@ -1142,8 +1142,8 @@ class Engine:
         loads: Literal["closed-form", "simulation"] | None = None,
         force: Sequence[tuple[int, Quantity] | tuple[int, Quantity, Quantity]] = (),
         case: str | None = None,
-        pin_pressure: Literal["cosine", "uniform"] | None = None,
-        support: Literal["clamped-ends", "journals", "springs", "rings", "free"] | None = None,
+        pin_pressure: Literal["cosine", "uniform", "film"] | None = None,
+        support: Literal["clamped-ends", "journals", "springs", "rings", "film", "free"] | None = None,
         stiffness: Stiffnesses = (),
         ring_thickness: Quantity | None = None,
         ring_modulus: Quantity | None = None,
@@ -1160,7 +1160,8 @@ class Engine:
 
         `loads`: the closed form at constant speed, or the run that `simulate` makes of the file. `force`: forces of your own, each the index of a throw, its radial [N]
         (positive away from the axis) and its tangential force [N]. `case`: one of the file's static cases. `pin_pressure`: over the 180 degrees of
-        a pin that its force presses, with the cosine or even. `stiffness` [N/m] of ``support="springs"``: one for all journals, or
+        a pin that its force presses, with the cosine or even; or as the oil films of its big ends press at that crank angle. ``support="film"``: each load rests in the oil
+        films of the main bearings. `stiffness` [N/m] of ``support="springs"``: one for all journals, or
         one for each, a pair of x and y where they differ. `ring_thickness` [m], `ring_modulus` [Pa] of ``support="rings"``. `converge`: three meshes, every number with its band.
 
         `angle` [rad], one or several, else the angles of the largest forces; `size` of the elements [m]; `submodel`: index of a throw whose bay, between the main

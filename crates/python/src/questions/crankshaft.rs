@@ -197,6 +197,7 @@ enum Held {
     Free,
     Springs,
     Rings,
+    Film,
 }
 
 fn support(options: &Options<'_>, usual: CrankSupport) -> Result<CrankSupport, Failure> {
@@ -206,6 +207,7 @@ fn support(options: &Options<'_>, usual: CrankSupport) -> Result<CrankSupport, F
         ("free", Held::Free),
         ("springs", Held::Springs),
         ("rings", Held::Rings),
+        ("film", Held::Film),
     ];
     let held = options.word("support", &words)?;
     let stiffness = options.stiffness_pairs("stiffness")?;
@@ -234,6 +236,7 @@ fn support(options: &Options<'_>, usual: CrankSupport) -> Result<CrankSupport, F
         Some(Held::ClampedEnds) => CrankSupport::ClampedEnds,
         Some(Held::Journals) => CrankSupport::Journals,
         Some(Held::Free) => CrankSupport::Free,
+        Some(Held::Film) => CrankSupport::Films,
         Some(Held::Rings) => {
             CrankSupport::Rings { thickness: thickness.unwrap_or(5e-3), modulus: modulus.unwrap_or(210e9) }
         }
@@ -289,7 +292,14 @@ fn read_static(options: &Options<'_>) -> Result<Run, Failure> {
         gas: options.flag("gas")?.unwrap_or(true),
         submodel,
         pressure: options
-            .word("pin_pressure", &[("cosine", PinPressure::Cosine), ("uniform", PinPressure::Uniform)])?
+            .word(
+                "pin_pressure",
+                &[
+                    ("cosine", PinPressure::Cosine),
+                    ("uniform", PinPressure::Uniform),
+                    ("film", PinPressure::Film),
+                ],
+            )?
             .unwrap_or_default(),
         solve: solve(options)?,
         ..StaticRequest::default()

@@ -9,6 +9,7 @@ use crate::kit::section::Section;
 use crate::kit::table::{Cell, Column, Table, csv_number, numbers, push_csv_line, words};
 use lanchester_flex::bytes_words;
 use lanchester_flex::crank_case::{CrankCase, CrankLoad, SurfacePeak};
+use lanchester_flex::journal_in_film::JournalInFilm;
 use lanchester_flex::sparse::SolveReport;
 use serde::Serialize;
 
@@ -328,6 +329,42 @@ impl StaticStress {
         })
     }
 
+    /// How journals rest in their films, case by case; `None` where they do not.
+    pub(crate) fn films_table(&self) -> Option<Table> {
+        let rows: Vec<(usize, &JournalInFilm)> = self
+            .cases
+            .iter()
+            .enumerate()
+            .flat_map(|(k, case)| case.result.films.iter().map(move |film| (k + 1, film)))
+            .collect();
+        if rows.is_empty() {
+            return None;
+        }
+        let of = |value: &dyn Fn(&JournalInFilm) -> f64| {
+            let values: Vec<f64> = rows.iter().map(|(_, film)| value(film)).collect();
+            values.into_iter()
+        };
+        let whole = |value: usize| Cell::Number { value: value as f64, decimals: 0 };
+        let size = |[x, y]: [f64; 2]| x.hypot(y);
+        Some(Table::of_columns(
+            "stress-films",
+            "Journals in their oil films",
+            "Each load rests: force of the film on the journal, the journal's distance from the middle of its bearing over the radial clearance, least film at the middle \
+             and, with the slope of the journal, at an end of the bearing, where less than 0 is contact; largest pressure of the film; share of the force that touching \
+             roughness carries.",
+            vec![
+                (Column::numbers("case", ""), rows.iter().map(|(k, _)| whole(*k)).collect()),
+                words("bearing", rows.iter().map(|(_, film)| film.bearing.clone())),
+                numbers("force", "kN", of(&|film| 1e-3 * size(film.force)), 4),
+                numbers("eccentricity", "", of(&|film| film.eccentricity_ratio), 4),
+                numbers("least film", "um", of(&|film| 1e6 * film.least_film), 3),
+                numbers("at an end", "um", of(&|film| 1e6 * film.least_edge_film), 3),
+                numbers("pressure", "MPa", of(&|film| 1e-6 * film.largest_pressure), 4),
+                numbers("by roughness", "%", of(&|film| 100.0 * film.contact_share), 3),
+            ],
+        ))
+    }
+
     /// The chapter of a report: pictures first.
     pub fn section(&self) -> Section {
         Section::new("crankshaft-stress", "Stress", "Crankshaft stress")
@@ -338,6 +375,7 @@ impl StaticStress {
             .tables([self.cases_table(), self.fillets_table()])
             .tables(self.submodel.as_ref().map(StressSubmodel::table))
             .tables([self.surfaces_table()])
+            .tables(self.films_table())
     }
 
     /// Words before the tables.
@@ -367,7 +405,8 @@ pub fn static_stress_text(stress: &StaticStress) -> String {
     let convergence = stress.convergence.as_ref().map(Convergence::table);
     let submodel = stress.submodel.as_ref().map(StressSubmodel::table);
     let tables = [stress.cases_table(), stress.fillets_table()];
-    let tables = tables.into_iter().chain(submodel).chain([stress.surfaces_table()]);
+    let tables =
+        tables.into_iter().chain(submodel).chain([stress.surfaces_table()]).chain(stress.films_table());
     for table in convergence.into_iter().chain(tables) {
         out.push('\n');
         out.push_str(&table.noted_text());

@@ -5,7 +5,7 @@ use crate::program::{lanchester, message, number, output, output_json};
 use std::fs;
 
 /// Gas, flywheel and bearings for the engine of the other tests.
-fn complete(text: &str) -> String {
+pub(super) fn complete(text: &str) -> String {
     text.replace("[piston]\n", "[piston]\nbore = \"86 mm\"\n")
         .replace("[layout]\n", "[firing]\norder = [1]\n[layout]\n")
         + r#"

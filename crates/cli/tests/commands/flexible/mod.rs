@@ -1,6 +1,7 @@
 //! `stress`: static cases, modes, exports, reduced models, decks, refusals.
 
 mod cycle;
+mod films;
 
 use crate::program::{folder, lanchester, message, number, output, output_json};
 use std::fs;

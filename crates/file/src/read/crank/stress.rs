@@ -286,6 +286,7 @@ impl<'a> Reader<'a> {
             "clamped-ends" => StressSupport::ClampedEnds,
             "rings" => StressSupport::Rings { thickness, modulus },
             "springs" => StressSupport::Springs { stiffness },
+            "film" => StressSupport::Film,
             "free" => StressSupport::Free,
             _ => StressSupport::Journals,
         })

@@ -109,10 +109,10 @@ static STRESS_CASE: Table = Table {
         ),
         key(
             "support",
-            Kind::Choice(&["clamped-ends", "journals", "rings", "springs", "free"]),
+            Kind::Choice(&["clamped-ends", "journals", "rings", "springs", "film", "free"]),
             Optional,
-            "What holds it: both end faces clamped; the mean of each journal's surface; rings with contact around journals and loaded pins; a spring at each journal; nothing (loads \
-             balanced by inertia). Default journals.",
+            "What holds it: both end faces clamped; the mean of each journal's surface; rings with contact around journals and loaded pins; a spring at each journal; \
+             the oil films of the main bearings, in which it rests; nothing (loads balanced by inertia). Default journals.",
             "\"clamped-ends\"",
         ),
         key(

@@ -10,7 +10,7 @@ use lanchester_flex::train::{
     TrainMain,
 };
 use lanchester_geometry::crankshaft::CrankshaftError;
-use lanchester_model::{BearingData, CrankElementForm, Engine, RodJoint};
+use lanchester_model::{BearingData, CrankElement, CrankElementForm, Engine, RodJoint};
 use std::f64::consts::FRAC_PI_4;
 
 /// Samples of the gas force over a degree of crankshaft 1.
@@ -44,20 +44,29 @@ impl Bearing {
 
 /// All bearings of a crankshaft: mains along it, then big ends by cylinder.
 pub(crate) fn bearing_places(engine: &Engine, crankshaft: usize) -> Result<Vec<Bearing>, StressError> {
+    let mut places = main_places(engine, crankshaft)?;
+    places.extend(big_end_places(engine, crankshaft)?);
+    Ok(places)
+}
+
+/// Elements of a crankshaft.
+fn elements(engine: &Engine, crankshaft: usize) -> Result<Vec<CrankElement>, StressError> {
+    let found = engine.crank_elements(crankshaft);
+    Ok(found.map_err(|fault| FlexError::from(CrankshaftError::from(fault)))?)
+}
+
+/// Main bearings along a crankshaft.
+pub(crate) fn main_places(engine: &Engine, crankshaft: usize) -> Result<Vec<Bearing>, StressError> {
     let sizes = bearing_sizes(engine);
     let given = engine.bearings.unwrap_or_default();
-    let elements =
-        engine.crank_elements(crankshaft).map_err(|fault| FlexError::from(CrankshaftError::from(fault)))?;
-    let (mut journals, mut pins) = (Vec::new(), Vec::new());
-    for element in &elements {
-        match &element.form {
-            CrankElementForm::Journal { journal, bar } => {
-                journals.push((*journal, bar.diameter, element.faces))
-            }
-            CrankElementForm::Pin { throw, bar, .. } => pins.push((*throw, bar.diameter, element.length())),
-            _ => {}
-        }
-    }
+    let elements = elements(engine, crankshaft)?;
+    let journals: Vec<(usize, f64, [f64; 2])> = elements
+        .iter()
+        .filter_map(|element| match &element.form {
+            CrankElementForm::Journal { journal, bar } => Some((*journal, bar.diameter, element.faces)),
+            _ => None,
+        })
+        .collect();
     let mut places = Vec::new();
     let all = engine.main_bearings();
     let first = all.iter().filter(|(own, _)| *own < crankshaft).count();
@@ -94,7 +103,22 @@ pub(crate) fn bearing_places(engine: &Engine, crankshaft: usize) -> Result<Vec<B
             data,
         });
     }
-    let mains = places.len();
+    Ok(places)
+}
+
+/// Big ends on a crankshaft, by cylinder.
+fn big_end_places(engine: &Engine, crankshaft: usize) -> Result<Vec<Bearing>, StressError> {
+    let sizes = bearing_sizes(engine);
+    let given = engine.bearings.unwrap_or_default();
+    let elements = elements(engine, crankshaft)?;
+    let pins: Vec<(usize, f64, f64)> = elements
+        .iter()
+        .filter_map(|element| match &element.form {
+            CrankElementForm::Pin { throw, bar, .. } => Some((*throw, bar.diameter, element.length())),
+            _ => None,
+        })
+        .collect();
+    let mut places = Vec::new();
     for (index, cylinder) in engine.cylinders.iter().enumerate() {
         if engine.throws[cylinder.throw].crankshaft != crankshaft {
             continue;
@@ -120,7 +144,7 @@ pub(crate) fn bearing_places(engine: &Engine, crankshaft: usize) -> Result<Vec<B
             data,
         });
     }
-    if places.len() == mains {
+    if places.is_empty() {
         return Err(StressError::Train {
             crankshaft: crankshaft + 1,
             needed: "a cylinder or more",
