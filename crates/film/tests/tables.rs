@@ -4,6 +4,8 @@ use lanchester_film::{
     Cavitation, FilmGrid, FilmProblem, FilmSolver, FilmTable, JournalBearing, JournalMotion,
 };
 
+use std::f64::consts::PI;
+
 fn size(a: [f64; 2]) -> f64 {
     a[0].hypot(a[1])
 }
@@ -78,4 +80,36 @@ fn table_is_the_direct_film_within_half_a_percent_with_its_derivatives() {
         }
         assert!(worst > 0.0);
     }
+}
+
+#[test]
+fn inverted_table_of_a_short_bearing_is_the_mobility_of_booker() {
+    // Booker's closed form for Ocvirk's half film, by e/c along the load and across it:
+    // M = [(1 - x)^(5/2)/pi, -4 y (1 - x)^(3/2)/pi^2]/(L/D)^2,  e' = |F| (c/R)^2 c/(mu L D) M.
+    let slenderness: f64 = 0.05;
+    let table = FilmTable::new(slenderness, Cavitation::Gumbel).expect("a table");
+    let booker = |[x, y]: [f64; 2]| {
+        let along = (1.0 - x).powf(2.5) / PI;
+        let across = -4.0 * y * (1.0 - x).powf(1.5) / (PI * PI);
+        [along, across].map(|m| m / slenderness.powi(2))
+    };
+    // The film acts against a load along x. Its |F| = 12 mu (R/c)^3 L at |f| = 1, so that e' = 6 M.
+    let ours = |at: [f64; 2]| {
+        let v = table.velocity(at, [-1.0, 0.0]).expect("inside");
+        v.map(|v| v / 6.0)
+    };
+    let mut worst: f64 = 0.0;
+    for (radius, turn) in [0.0, 0.2, 0.5, 0.8, 0.9, 0.95]
+        .into_iter()
+        .flat_map(|radius: f64| [0.0f64, 45.0, 90.0, 135.0, 180.0].map(|turn| (radius, turn.to_radians())))
+    {
+        let at = [radius * turn.cos(), radius * turn.sin()];
+        let (found, known) = (ours(at), booker(at));
+        let error = size([found[0] - known[0], found[1] - known[1]]) / size(known);
+        worst = worst.max(error);
+    }
+    // The closed form is itself a fit, exact in the middle.
+    assert!(worst < 0.1, "{worst}");
+    let centre = ours([0.0, 0.0]);
+    assert!((centre[0] * PI * slenderness.powi(2) - 1.0).abs() < 0.02, "{centre:?}");
 }

@@ -444,6 +444,8 @@ pub struct FilmBearing {
     pub place: BearingPlace,
     /// Its law.
     pub law: TrainLaw,
+    /// Stiffness of its housing, which gives way to the film [N/m]; `None`: rigid.
+    pub housing: Option<f64>,
 }
 
 /// What loads a crankshaft.

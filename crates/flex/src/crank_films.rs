@@ -9,7 +9,7 @@ use crate::crank_case::{
     BearingSurfaces, CrankCase, CrankLoad, FilmBearing, evaluate, hold_flywheel, load_pins, press_films,
 };
 use crate::crank_mesh::CrankMesh;
-use crate::film_equilibrium::{Compliance, film_equilibrium};
+use crate::film_equilibrium::{Compliance, Rest, film_equilibrium};
 use crate::journal_in_film::JournalInFilm;
 use crate::oil_pressure::OilPressure;
 use crate::sparse::SolveEstimate;
@@ -85,9 +85,10 @@ pub(crate) fn solve_in_films(
             let places = film_equilibrium(&load.films, load.speed, &free[*k], &compliance)?;
             let mut case = cases[*k].clone();
             let mut films = Vec::new();
-            for ((own, e), coupling) in load.films.iter().zip(&places).zip(&couplings) {
-                let (pressed, oil, force) = press(crank, &surfaces, case, own, *e, load.speed)?;
-                case = coupling.push(pressed, e.map(|part| SPRING * part));
+            for ((own, rest), coupling) in load.films.iter().zip(&places).zip(&couplings) {
+                let (pressed, oil, force) =
+                    press(crank, &surfaces, case, own, rest.eccentricity, load.speed)?;
+                case = coupling.push(pressed, rest.place.map(|part| SPRING * part));
                 films.push((oil, force));
             }
             rests.push((case, places, films));
@@ -97,22 +98,23 @@ pub(crate) fn solve_in_films(
         for ((k, solution), (_, places, films)) in waiting.into_iter().zip(solved).zip(rests) {
             let moved = motion(&solution);
             let load = &loads[k];
-            let thinnest = load.films.iter().zip(&places).map(|(own, e)| thickness(own, *e));
+            let thinnest =
+                load.films.iter().zip(&places).map(|(own, rest)| thickness(own, rest.eccentricity));
             let thinnest = thinnest.fold(f64::INFINITY, f64::min);
-            let flat = places.iter().flatten();
+            let flat = places.iter().flat_map(|rest| rest.place);
             let miss: Vec<f64> = moved.iter().zip(flat).map(|(moved, place)| moved - place).collect();
             let largest = miss.iter().fold(0.0, |most: f64, own| most.max(own.abs()));
             if largest <= SAME * thinnest {
                 let states = load.films.iter().zip(&places).zip(&films).zip(&couplings);
-                let states = states.map(|(((own, e), (oil, force)), coupling)| {
-                    state(own, *e, oil, *force, coupling, &solution)
+                let states = states.map(|(((own, rest), (oil, force)), coupling)| {
+                    state(own, *rest, oil, *force, coupling, &solution)
                 });
                 let states: Vec<JournalInFilm> = states.collect();
                 let solution = without_springs(solution, &moved, &places, &states);
                 found[k] = Some(CrankCase { films: states, ..evaluate(crank, solution) });
                 continue;
             }
-            left = largest;
+            left = largest / thinnest;
             free[k].iter_mut().zip(miss).for_each(|(free, miss)| *free += miss);
             still.push(k);
         }
@@ -185,7 +187,7 @@ fn thickness(own: &FilmBearing, e: Plane) -> f64 {
 
 fn state(
     own: &FilmBearing,
-    e: Plane,
+    Rest { eccentricity: e, place }: Rest,
     oil: &OilPressure,
     force: Plane,
     coupling: &Coupling,
@@ -206,6 +208,7 @@ fn state(
         least_film: thickness(own, e),
         least_edge_film: at(-1.0).min(at(1.0)),
         largest_pressure: oil.largest,
+        shell: [0, 1].map(|k| place[k] - e[k]),
         contact_share: if size > 0.0 { oil.contact[0].hypot(oil.contact[1]) / size } else { 0.0 },
     }
 }
@@ -214,14 +217,14 @@ fn state(
 fn without_springs(
     mut solution: StaticSolution,
     moved: &[f64],
-    places: &[Plane],
+    places: &[Rest],
     films: &[JournalInFilm],
 ) -> StaticSolution {
-    for (k, (e, film)) in places.iter().zip(films).enumerate() {
+    for (k, (rest, film)) in places.iter().zip(films).enumerate() {
         for axis in 0..2 {
             solution.energy -= 0.5 * SPRING * moved[2 * k + axis].powi(2);
-            solution.load[axis] -= film.force[axis] + SPRING * e[axis];
-            solution.reaction[axis] += film.force[axis] + SPRING * e[axis];
+            solution.load[axis] -= film.force[axis] + SPRING * rest.place[axis];
+            solution.reaction[axis] += film.force[axis] + SPRING * rest.place[axis];
             solution.spring_forces[2 * k + axis] = film.force[axis];
         }
     }

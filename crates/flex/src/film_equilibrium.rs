@@ -1,9 +1,10 @@
 //! Where a crankshaft rests in its oil films.
 //!
-//! With `x_0` the displacements of the journals under the loads on springs `k`, `C` their compliance on these springs and `f` the forces of the films:
+//! With `x_0` the displacements of the journals under the loads on springs `k`, `C` their compliance on these springs, `f` the forces of the films at the
+//! eccentricities `e` and `k_h` the stiffness of the housings:
 //!
 //! ```text
-//! x = x_0 + C (f(x, 0) + k x)                                                                                                (book, eq. 43.20)
+//! x = x_0 + C (f(e, 0) + k x)      x = e - f(e, 0)/k_h                                                                       (book, eq. 43.20)
 //! ```
 
 use crate::FlexError;
@@ -35,7 +36,16 @@ pub(crate) struct Compliance {
     pub matrix: Vec<f64>,
 }
 
-/// Places of the journals' centres [m] where films, loads and the elastic crankshaft are in equilibrium and stay. `free`: the places under the loads
+/// Where a journal rests.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Rest {
+    /// Its centre from that of the shell [m].
+    pub eccentricity: Plane,
+    /// Its centre from where that of the shell is without load [m].
+    pub place: Plane,
+}
+
+/// Where the journals rest: where films, loads and the elastic crankshaft are in equilibrium and stay. `free`: the places under the loads
 /// without films; `speed` of the crankshaft [rad/s].
 ///
 /// # Errors
@@ -45,7 +55,7 @@ pub(crate) fn film_equilibrium(
     speed: f64,
     free: &[f64],
     compliance: &Compliance,
-) -> Result<Vec<Plane>, FlexError> {
+) -> Result<Vec<Rest>, FlexError> {
     let largest = films.iter().filter_map(|own| own.law.clearance()).fold(0.0, f64::max);
     let mut x = start(films, free);
     let mut turn = FIRST;
@@ -57,8 +67,7 @@ pub(crate) fn film_equilibrium(
             Ok(next) => {
                 x = next;
                 if is_last {
-                    let found: Vec<Plane> = x.chunks_exact(2).map(|own| [own[0], own[1]]).collect();
-                    return within_tables(films, &found).map(|()| found);
+                    return rests(films, speed, &x);
                 }
                 turn *= GROWTH;
             }
@@ -106,18 +115,23 @@ fn step(
     let mut miss = f64::INFINITY;
     for _ in 0..MOST_NEWTON {
         // Forces on the journals and their derivatives, two by two.
-        let mut force = vec![0.0; size];
-        let mut slope = vec![[[0.0; 2]; 2]; films.len()];
+        let (mut force, mut place) = (vec![0.0; size], vec![0.0; size]);
+        // Of the forces that act on the crankshaft on its springs, and of its journals' places.
+        let mut slope = vec![[[[0.0; 2]; 2]; 2]; films.len()];
         for (k, own) in films.iter().enumerate() {
             let e = [x[2 * k], x[2 * k + 1]];
             let rate = [0, 1].map(|axis| per_time * (e[axis] - from[2 * k + axis]));
             let Some(law) = own.law.force(e, rate, 0.5 * speed) else { return Err(miss) };
+            let yielding = own.housing.map_or(0.0, |stiffness| 1.0 / stiffness);
             for i in 0..2 {
-                force[2 * k + i] = law.force[i] + compliance.stiffness * e[i];
+                place[2 * k + i] = e[i] - yielding * law.force[i];
+                force[2 * k + i] = law.force[i] + compliance.stiffness * place[2 * k + i];
                 for j in 0..2 {
-                    slope[k][i][j] = law.by_place[i][j] + per_time * law.by_velocity[i][j];
+                    let by = law.by_place[i][j] + per_time * law.by_velocity[i][j];
+                    let moved = if i == j { 1.0 } else { 0.0 } - yielding * by;
+                    slope[k][0][i][j] = by + compliance.stiffness * moved;
+                    slope[k][1][i][j] = moved;
                 }
-                slope[k][i][i] += compliance.stiffness;
             }
         }
         let mut residual = vec![0.0; size];
@@ -125,14 +139,14 @@ fn step(
         for row in 0..size {
             let own = &compliance.matrix[row * size..(row + 1) * size];
             let pushed: f64 = own.iter().zip(&force).map(|(c, f)| c * f).sum();
-            residual[row] = free[row] + pushed - x[row];
-            for (k, slope) in slope.iter().enumerate() {
+            residual[row] = free[row] + pushed - place[row];
+            for (k, [pushing, moved]) in slope.iter().enumerate() {
                 for j in 0..2 {
-                    let by = own[2 * k] * slope[0][j] + own[2 * k + 1] * slope[1][j];
-                    jacobian[row * size + 2 * k + j] = -by;
+                    let by = own[2 * k] * pushing[0][j] + own[2 * k + 1] * pushing[1][j];
+                    let at = if row / 2 == k { moved[row % 2][j] } else { 0.0 };
+                    jacobian[row * size + 2 * k + j] = at - by;
                 }
             }
-            jacobian[row * size + row] += 1.0;
         }
         miss = residual.iter().fold(0.0, |most: f64, own| most.max(own.abs()));
         if miss <= met {
@@ -167,9 +181,14 @@ fn allowed(films: &[FilmBearing], x: &[f64], change: &[f64]) -> f64 {
     share
 }
 
-/// Refuses films thinner than their tables know.
-fn within_tables(films: &[FilmBearing], places: &[Plane]) -> Result<(), FlexError> {
-    for (own, e) in films.iter().zip(places) {
+/// Where journals rest at these eccentricities; refuses films thinner than their tables know.
+fn rests(films: &[FilmBearing], speed: f64, eccentricities: &[f64]) -> Result<Vec<Rest>, FlexError> {
+    let mut found = Vec::new();
+    for (own, e) in films.iter().zip(eccentricities.chunks_exact(2)) {
+        let e = [e[0], e[1]];
+        let force = own.law.force(e, [0.0; 2], 0.5 * speed).map_or([0.0; 2], |law| law.force);
+        let yielding = own.housing.map_or(0.0, |stiffness| 1.0 / stiffness);
+        found.push(Rest { eccentricity: e, place: [0, 1].map(|k| e[k] - yielding * force[k]) });
         let TrainLaw::Film { bearing, .. } = &own.law else { continue };
         let ratio = e[0].hypot(e[1]) / bearing.clearance;
         if ratio > FilmTable::last_ratio() {
@@ -180,7 +199,7 @@ fn within_tables(films: &[FilmBearing], places: &[Plane]) -> Result<(), FlexErro
             });
         }
     }
-    Ok(())
+    Ok(found)
 }
 
 #[cfg(test)]
@@ -197,6 +216,7 @@ mod tests {
         FilmBearing {
             place: BearingPlace { name: "main bearing 1".into(), set: "MAIN_1".into(), z: 0.0, width: 0.02 },
             law: TrainLaw::Film { bearing, table, viscosity: 6e-3, roughness },
+            housing: None,
         }
     }
 
@@ -206,10 +226,15 @@ mod tests {
         let compliance = Compliance { stiffness, matrix: vec![1.0 / stiffness, 0.0, 0.0, 1.0 / stiffness] };
         let free = load.map(|f| f / stiffness);
         let found = film_equilibrium(std::slice::from_ref(own), speed, &free, &compliance)?;
-        let force = own.law.force(found[0], [0.0; 2], 0.5 * speed).unwrap().force;
+        let Rest { eccentricity: e, place } = found[0];
+        let force = own.law.force(e, [0.0; 2], 0.5 * speed).unwrap().force;
         let size = load[0].hypot(load[1]);
         assert!((force[0] + load[0]).hypot(force[1] + load[1]) <= 1e-6 * size, "{force:?} {load:?}");
-        Ok(found[0])
+        // The shell goes with the load, by the stiffness of its housing.
+        let shell = [place[0] - e[0], place[1] - e[1]];
+        let wanted = own.housing.map_or([0.0; 2], |stiffness| load.map(|f| f / stiffness));
+        assert!((shell[0] - wanted[0]).hypot(shell[1] - wanted[1]) <= 1e-6 * 2.5e-5, "{shell:?} {wanted:?}");
+        Ok(e)
     }
 
     #[test]
@@ -232,6 +257,17 @@ mod tests {
             assert!((size / other - 1.0).abs() < 1e-6 && (angle - same).abs() < 1e-4, "{found:?}");
             assert!(size > last && size < 2.5e-5);
             last = size;
+        }
+    }
+
+    #[test]
+    fn a_housing_that_yields_moves_the_journal_and_not_its_film() {
+        let load = [-6e3, 2e3];
+        let rigid = by_itself(&bearing(0.0), load, 314.0).unwrap();
+        for stiffness in [1e7, 1e9] {
+            let own = FilmBearing { housing: Some(stiffness), ..bearing(0.0) };
+            let e = by_itself(&own, load, 314.0).unwrap();
+            assert!((e[0] - rigid[0]).hypot(e[1] - rigid[1]) < 1e-6 * 2.5e-5, "{e:?} {rigid:?}");
         }
     }
 

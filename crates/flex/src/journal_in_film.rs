@@ -10,7 +10,7 @@ pub struct JournalInFilm {
     pub bearing: String,
     /// Force of the film on the journal, in the frame of the crankshaft [N].
     pub force: Plane,
-    /// Journal's centre from that of the bearing, in the same frame [m].
+    /// Journal's centre from that of its shell, in the same frame [m].
     pub eccentricity: Plane,
     /// Its length over the radial clearance.
     pub eccentricity_ratio: f64,
@@ -20,6 +20,8 @@ pub struct JournalInFilm {
     pub least_edge_film: f64,
     /// Largest pressure of the film [Pa].
     pub largest_pressure: f64,
+    /// Shell's centre from its place without load, by the stiffness of the housing [m].
+    pub shell: Plane,
     /// Share of the force that touching roughness carries.
     pub contact_share: f64,
 }

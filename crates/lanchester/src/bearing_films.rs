@@ -180,7 +180,15 @@ fn films_at(
             .push(format!("diametral clearance where none is given: {ASSUMED_CLEARANCE} of the diameter"));
     }
     if places.iter().any(|place| matches!(place.data.housing, Some(Housing::Stiffness(_)))) {
-        assumptions.push("`housing_stiffness` is not used: housings and shells are rigid".into());
+        assumptions.push(
+            match method {
+                FilmMethod::RigidShaft => "`housing_stiffness` is not used: housings and shells are rigid",
+                FilmMethod::Tables | FilmMethod::Grooved => {
+                    "`housing_stiffness` changes none of these quasi-static films: under a given load a shell only goes along"
+                }
+            }
+            .into(),
+        );
     }
     let supply = engine.bearing_design.as_ref().and_then(|design| design.oil.supply_pressure);
     let own: Vec<Vec<Feed>> = places.iter().map(|place| place.feeds(supply.unwrap_or(0.0))).collect();

@@ -29,6 +29,7 @@ fn single() -> (CrankMesh, Vec<FilmBearing>) {
             viscosity: 8e-3,
             roughness: 0.0,
         },
+        housing: None,
     };
     // In the middle of the surfaces between fillets and ends, where the support on journals holds them.
     let middles = ["MAIN_1", "MAIN_2"].map(|name| {
@@ -95,6 +96,24 @@ fn both_journals_carry_half_of_the_load_at_a_thickness_of_their_own() {
     // The energy is that of the body: the films add none, and softer supports change little of it.
     let ratio = found[0].solution.energy / held[0].solution.energy;
     assert!((0.9..1.3).contains(&ratio), "{ratio}");
+}
+
+#[test]
+fn a_housing_that_yields_moves_the_shell_and_not_the_share_of_the_load() {
+    // Of two mains each carries its half, whatever its housing: the shells go with it.
+    let (mesh, films) = single();
+    let soft: Vec<FilmBearing> =
+        films.iter().map(|own| FilmBearing { housing: Some(2e8), ..own.clone() }).collect();
+    let loads = [load(&films, [-20e3, 5e3]), load(&soft, [-20e3, 5e3])];
+    let found = solve(&mesh, &CrankSupport::Films, &loads).unwrap();
+    for (rigid, soft) in found[0].films.iter().zip(&found[1].films) {
+        let size = rigid.force[0].hypot(rigid.force[1]);
+        assert!((rigid.force[0] - soft.force[0]).hypot(rigid.force[1] - soft.force[1]) < 1e-3 * size);
+        assert!((rigid.least_film / soft.least_film - 1.0).abs() < 1e-2, "{rigid:?} {soft:?}");
+        assert_eq!(rigid.shell, [0.0; 2]);
+        let [x, y] = [0, 1].map(|k| soft.shell[k] + soft.force[k] / 2e8);
+        assert!(x.hypot(y) < 1e-9 * size / 2e8 + 1e-15, "{x} {y}");
+    }
 }
 
 #[test]

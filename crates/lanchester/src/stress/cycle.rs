@@ -15,7 +15,7 @@ use crate::stress::run::{check_crankshaft, sheet};
 use free::{free_start, run_law};
 use lanchester_flex::train::{BasisOptions, CycleOptions, CycleState, crank_basis};
 use lanchester_mechanism::{BearingPart, BearingRequest, bearing_loads};
-use lanchester_model::Engine;
+use lanchester_model::{Engine, Housing};
 use lanchester_report::{CRANK_CYCLE_VERSION, CrankCycle, CrankKind, CycleLaw, CycleRun};
 use laws::BearingLaws;
 pub use request::CycleRequest;
@@ -70,6 +70,9 @@ pub fn crank_cycle(
     // What may be refused at once is, before the mesh.
     let places = bearing_places(engine, request.mesh.crankshaft)?;
     let laws = BearingLaws::new(engine, &loads, &places, &request.laws, &mut notes)?;
+    if places.iter().any(|own| matches!(own.data.housing, Some(Housing::Stiffness(_)))) {
+        notes.push("The stiffness of the housings is left out: shells stand still.".to_owned());
+    }
     let measure = fatigue_measure(engine, request.factors)?;
     let yielding = engine.crank_material.unwrap_or_default().yield_strength();
     let free = free_start(engine, cylinders, request, speed, loads.period)?;

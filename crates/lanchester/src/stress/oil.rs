@@ -13,7 +13,7 @@ use lanchester_flex::crank_case::{CrankSupport, FilmBearing, PinPressure};
 use lanchester_flex::oil_pressure::OilPressure;
 use lanchester_flex::train::{FilmInstant, Plane, TrainLaw};
 use lanchester_mechanism::{BearingLoads, BearingPart, BearingRequest, bearing_loads};
-use lanchester_model::Engine;
+use lanchester_model::{Engine, Housing};
 use lanchester_report::CycleLaw;
 
 /// Change of the speed for which the oil is warmed anew.
@@ -122,11 +122,16 @@ pub(crate) fn add_films(
         ));
     }
     if request.support == CrankSupport::Films {
-        notes.push(
+        let yields = known.iter().flat_map(|own| &own.mains).any(|own| own.housing.is_some());
+        let housings = if yields {
+            "housings give way by their stiffness, shells are round and in line without load"
+        } else {
+            "shells and block are rigid and in line"
+        };
+        notes.push(format!(
             "Each load rests in the films of the main bearings as if it stayed: nothing is squeezed, so that films are thinner than over the cycle. Films are those of \
-             journals parallel to their shells; shells and block are rigid and in line."
-                .to_owned(),
-        );
+             journals parallel to their shells; {housings}."
+        ));
     }
     notes.dedup();
     Ok(notes)
@@ -157,7 +162,12 @@ fn at_speed(
     notes.extend(said);
     let films = places.iter().zip(laws.of(CycleLaw::Film));
     let films: Vec<(&Bearing, FilmBearing)> = films
-        .map(|(place, law)| (place, FilmBearing { place: place.surface.clone(), law: law.clone() }))
+        .map(|(place, law)| {
+            (
+                place,
+                FilmBearing { place: place.surface.clone(), law: law.clone(), housing: housing_of(place) },
+            )
+        })
         .collect();
     let mains = films.iter().filter(|(place, _)| place.is_main() && request.support == CrankSupport::Films);
     let mains = mains.map(|(_, film)| film.clone()).collect();
@@ -169,6 +179,14 @@ fn at_speed(
         })
         .collect::<Result<_, StressError>>()?;
     Ok(AtSpeed { speed, mains, pins })
+}
+
+/// Stiffness of the housing of a bearing [N/m]; `None`: rigid.
+fn housing_of(place: &Bearing) -> Option<f64> {
+    match place.data.housing {
+        Some(Housing::Stiffness(stiffness)) => Some(stiffness),
+        Some(Housing::Rigid) | None => None,
+    }
 }
 
 impl BigEnd {

@@ -346,22 +346,26 @@ impl StaticStress {
         };
         let whole = |value: usize| Cell::Number { value: value as f64, decimals: 0 };
         let size = |[x, y]: [f64; 2]| x.hypot(y);
+        let mut columns = vec![
+            (Column::numbers("case", ""), rows.iter().map(|(k, _)| whole(*k)).collect()),
+            words("bearing", rows.iter().map(|(_, film)| film.bearing.clone())),
+            numbers("force", "kN", of(&|film| 1e-3 * size(film.force)), 4),
+            numbers("eccentricity", "", of(&|film| film.eccentricity_ratio), 4),
+            numbers("least film", "um", of(&|film| 1e6 * film.least_film), 3),
+            numbers("at an end", "um", of(&|film| 1e6 * film.least_edge_film), 3),
+            numbers("pressure", "MPa", of(&|film| 1e-6 * film.largest_pressure), 4),
+            numbers("by roughness", "%", of(&|film| 100.0 * film.contact_share), 3),
+        ];
+        if rows.iter().any(|(_, film)| film.shell != [0.0; 2]) {
+            columns.push(numbers("shell", "um", of(&|film| 1e6 * size(film.shell)), 3));
+        }
         Some(Table::of_columns(
             "stress-films",
             "Journals in their oil films",
             "Each load rests: force of the film on the journal, the journal's distance from the middle of its bearing over the radial clearance, least film at the middle \
              and, with the slope of the journal, at an end of the bearing, where less than 0 is contact; largest pressure of the film; share of the force that touching \
-             roughness carries.",
-            vec![
-                (Column::numbers("case", ""), rows.iter().map(|(k, _)| whole(*k)).collect()),
-                words("bearing", rows.iter().map(|(_, film)| film.bearing.clone())),
-                numbers("force", "kN", of(&|film| 1e-3 * size(film.force)), 4),
-                numbers("eccentricity", "", of(&|film| film.eccentricity_ratio), 4),
-                numbers("least film", "um", of(&|film| 1e6 * film.least_film), 3),
-                numbers("at an end", "um", of(&|film| 1e6 * film.least_edge_film), 3),
-                numbers("pressure", "MPa", of(&|film| 1e-6 * film.largest_pressure), 4),
-                numbers("by roughness", "%", of(&|film| 100.0 * film.contact_share), 3),
-            ],
+             roughness carries; where housings yield, how far the shell gives way.",
+            columns,
         ))
     }
 

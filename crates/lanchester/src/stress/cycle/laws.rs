@@ -8,7 +8,7 @@ use crate::stress::request::StressError;
 use lanchester_film::{BearingFilm, Cavitation, FilmTable, JournalBearing};
 use lanchester_flex::train::TrainLaw;
 use lanchester_mechanism::BearingLoads;
-use lanchester_model::{BearingLaw, Engine, Housing};
+use lanchester_model::{BearingLaw, Engine};
 use lanchester_report::CycleLaw;
 use std::sync::Arc;
 
@@ -75,9 +75,6 @@ impl BearingLaws {
             notes.push(format!(
                 "Diametral clearance where none is given: {ASSUMED_CLEARANCE} of the diameter."
             ));
-        }
-        if lacks(|own| matches!(own.data.housing, Some(Housing::Stiffness(_)))) {
-            notes.push("The stiffness of the housings is left out: shells stand still.".to_owned());
         }
         let mut own = BearingLaws { laws: Vec::new(), films };
         for law in wanted {
