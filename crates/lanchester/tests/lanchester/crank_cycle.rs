@@ -37,8 +37,8 @@ web_thickness = "20 mm"
 web_radius = "40 mm"
 pin_end_radius = "36 mm"
 end_journals = ["25 mm", "25 mm"]
-pin_fillet = "4 mm"
-journal_fillet = "4 mm"
+pin_fillet = "6 mm"
+journal_fillet = "6 mm"
 [crank.material]
 preset = "42CrMo4 quenched and tempered"
 [piston]
@@ -81,7 +81,7 @@ fn run(found: &CrankCycle, law: CycleLaw, crank: CrankKind) -> &lanchester::repo
 
 /// Centrifugal load of the two fillets of the pin on each of the two mains at 4000 rpm [N]: by Pappus's rule, 4 mm about a pin of 48 mm, at 47.75 mm.
 fn load_of_fillets() -> f64 {
-    let (radius, pin, throw) = (4e-3, 24e-3, 47.75e-3);
+    let (radius, pin, throw) = (6e-3, 24e-3, 47.75e-3);
     let area = (1.0 - PI / 4.0) * radius * radius;
     // Middle of the region between two lines at right angles and the arc that touches both.
     let middle = radius * (10.0 - 3.0 * PI) / (3.0 * (4.0 - PI));

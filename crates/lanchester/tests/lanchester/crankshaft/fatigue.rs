@@ -29,8 +29,8 @@ web_thickness = "20 mm"
 web_radius = "40 mm"
 pin_end_radius = "36 mm"
 end_journals = ["25 mm", "25 mm"]
-pin_fillet = "4 mm"
-journal_fillet = "4 mm"
+pin_fillet = "6 mm"
+journal_fillet = "6 mm"
 [crank.material]
 preset = "42CrMo4 quenched and tempered"
 [piston]
