@@ -119,6 +119,9 @@ struct FilmsQuestion {
     /// Models of cavitation side by side; that of the file, else Guembel's, where it is left out.
     #[serde(default)]
     models: Vec<Cavitation>,
+    /// Whether bearings with grooves have films with them, solved at every instant: some seconds each. Tables without grooves where it is left out.
+    #[serde(default)]
+    grooves: bool,
 }
 
 /// Engines side by side.
@@ -244,7 +247,8 @@ fn films(asker: &Asker, question: FilmsQuestion) -> Result<BearingFilms, Problem
     let part = if engine.gas.is_some() { BearingPart::All } else { BearingPart::Inertia };
     let request = BearingRequest { speed, part, ..BearingRequest::default() };
     let loads = bearing_report(&engine, &traces, &request).map_err(Problem::refused)?;
-    bearing_films(&engine, &loads, &question.models, FilmMethod::Tables).map_err(Problem::refused)
+    let method = if question.grooves { FilmMethod::Grooved } else { FilmMethod::Tables };
+    bearing_films(&engine, &loads, &question.models, method).map_err(Problem::refused)
 }
 
 fn mounted(asker: &Asker, question: Mounted) -> Result<MountStudy, Problem> {

@@ -16,10 +16,11 @@ use std::sync::Arc;
 
 const SPEED: f64 = 300.0;
 
+const OPTIONS: CrankMeshOptions = CrankMeshOptions { size: 14e-3, fillet_elements: 2, fillets: true };
+
 fn single() -> (CrankMesh, Vec<FilmBearing>) {
     let engine = one_throw("pin_fillet = \"5 mm\"\njournal_fillet = \"5 mm\"");
-    let options = CrankMeshOptions { size: 14e-3, fillet_elements: 2, fillets: true };
-    let mesh = crank_mesh(&engine, 0, options).unwrap();
+    let mesh = crank_mesh(&engine, 0, OPTIONS).unwrap();
     let table = Arc::new(FilmTable::new(0.02 / 0.055, Cavitation::Gumbel).unwrap());
     let film = |(index, z): (usize, f64)| FilmBearing {
         place: place(&format!("main bearing {}", index + 1), &format!("MAIN_{}", index + 1), z),
@@ -113,6 +114,87 @@ fn a_housing_that_yields_moves_the_shell_and_not_the_share_of_the_load() {
         assert_eq!(rigid.shell, [0.0; 2]);
         let [x, y] = [0, 1].map(|k| soft.shell[k] + soft.force[k] / 2e8);
         assert!(x.hypot(y) < 1e-9 * size / 2e8 + 1e-15, "{x} {y}");
+    }
+}
+
+/// Two throws in one plane on three mains, 90 mm apart.
+const TWO_THROWS: &str = r#"
+name = "two throws"
+speed = "3000 rpm"
+[layout]
+type = "in-line"
+cylinders = 2
+spacing = "90 mm"
+crank_angles = ["0 deg", "0 deg"]
+[crank]
+stroke = "95.5 mm"
+web_distance = "48 mm"
+[crank.body]
+density = "7850 kg/m3"
+journal_diameter = "55 mm"
+pin_diameter = "48 mm"
+web_thickness = "20 mm"
+web_radius = "40 mm"
+pin_end_radius = "36 mm"
+end_journals = ["22 mm", "22 mm"]
+pin_fillet = "6 mm"
+journal_fillet = "6 mm"
+[piston]
+mass = "0.5 kg"
+[rod]
+length = "150 mm"
+mass = "0.6 kg"
+"#;
+
+#[test]
+fn stiff_films_share_a_load_as_journals_on_their_axis_and_slack_ones_leave_it_to_the_outer_mains() {
+    let engine = lanchester_file::read(TWO_THROWS).engine().unwrap();
+    let mesh = crank_mesh(&engine, 0, OPTIONS).unwrap();
+    let films = |clearance: f64, viscosity: f64| -> Vec<FilmBearing> {
+        let middle = |index: usize| {
+            let nodes = &mesh.mesh.set(&format!("MAIN_{}", index + 1)).unwrap().nodes;
+            let z = nodes.iter().map(|node| mesh.mesh.nodes[*node as usize][2]);
+            let [low, high] = z.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], z| [z.min(a), z.max(b)]);
+            [0.5 * (low + high), high - low]
+        };
+        let film = |index: usize| {
+            let [z, width] = middle(index);
+            let bearing = JournalBearing::new(0.0275, width, clearance).unwrap();
+            let table = Arc::new(FilmTable::new(bearing.slenderness(), Cavitation::Gumbel).unwrap());
+            let name = format!("main bearing {}", index + 1);
+            FilmBearing {
+                place: BearingPlace { width, ..place(&name, &format!("MAIN_{}", index + 1), z) },
+                law: TrainLaw::Film { bearing, table, viscosity, roughness: 0.0 },
+                housing: None,
+            }
+        };
+        (0..3).map(film).collect()
+    };
+    let pins = vec![PinLoad { pin: 1, force: [-8e3, 1e3] }, PinLoad { pin: 2, force: [-8e3, 1e3] }];
+    let load = |films: Vec<FilmBearing>| CrankLoad {
+        pins: pins.clone(),
+        films,
+        speed: SPEED,
+        ..CrankLoad::default()
+    };
+    let held = solve(&mesh, &CrankSupport::Journals, &[load(Vec::new())]).unwrap().remove(0);
+    let loads = [load(films(3e-6, 0.5)), load(films(4e-5, 8e-3))];
+    let [stiff, slack]: [CrankCase; 2] =
+        loads.map(|own| solve(&mesh, &CrankSupport::Films, &[own]).unwrap().remove(0));
+    let share = |case: &CrankCase| -> Vec<f64> {
+        let forces: Vec<f64> =
+            case.solution.spring_forces[..6].chunks(2).map(|own| own[0].hypot(own[1])).collect();
+        let all: f64 = forces.iter().sum();
+        forces.iter().map(|own| own / all).collect()
+    };
+    let [on_axis, thin, wide] = [&held, &stiff, &slack].map(share);
+    for k in 0..3 {
+        assert!((on_axis[k] - thin[k]).abs() < 0.01, "{on_axis:?} {thin:?}");
+    }
+    assert!(wide[1] < 0.75 * on_axis[1], "{on_axis:?} {wide:?}");
+    // Fillets of the loaded middle journal see how the pressure lies on it; those of the pins only what bends the crankshaft.
+    for ((name, one), (_, other)) in peaks(&stiff).iter().zip(&peaks(&held)) {
+        assert!(!name.starts_with("pin") || (one / other - 1.0).abs() < 0.02, "{name}: {one} {other}");
     }
 }
 

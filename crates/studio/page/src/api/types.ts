@@ -2074,6 +2074,8 @@ export type FilmOrbit = {
 
 /** An engine at a speed, and which models of cavitation its films have. */
 export type FilmsQuestion = {
+  /** Whether bearings with grooves have films with them, solved at every instant: some seconds each. Tables without grooves where it is left out. */
+  grooves: boolean;
   /** Models of cavitation side by side; that of the file, else Guembel's, where it is left out. */
   models: Cavitation[];
   /** Speed of crankshaft 1 [rad/s]; the highest of the engine where it is left out. */

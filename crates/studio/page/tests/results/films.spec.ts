@@ -110,6 +110,35 @@ test("the map follows the keys, and is saved with its scale and as numbers", asy
   expect(svg.text).not.toMatch(/NaN|var\(--/);
 });
 
+test("films with the grooves of the file are solved on request", async ({ page, studio }) => {
+  // Some seconds a bearing, on a busy machine too.
+  test.setTimeout(180_000);
+  await open(page, studio);
+  const plain = await row(page, "main 3");
+  await expect(page.getByRole("region", { name: "Films over the cycle" })).toContainText(
+    "grooves and supply pressure are left out",
+  );
+  await page.getByRole("button", { name: "With the grooves of the file" }).click();
+  await expect(page.getByText("Solving films with grooves")).toBeVisible();
+  await page.getByRole("button", { name: "Stop" }).first().click();
+  await expect(page.getByText("Grooves are left out; with them")).toBeVisible();
+  expect(await row(page, "main 3")).toEqual(plain);
+
+  await page.getByRole("button", { name: "With the grooves of the file" }).click();
+  await expect(page.getByText("Films with the grooves of the file.")).toBeVisible({ timeout: 150_000 });
+  const grooved = await row(page, "main 3");
+  // A groove takes from the film.
+  expect(Number(grooved[0])).toBeLessThan(Number(plain[0]));
+  await expect(page.getByRole("region", { name: "Films over the cycle" })).toContainText(
+    "grooves are fed with",
+  );
+  await expect(page.getByRole("region", { name: "Film of one bearing unrolled" })).toContainText(
+    "deformation of the shell, oil holes",
+  );
+  await page.getByRole("button", { name: "Without grooves" }).click();
+  expect(await row(page, "main 3")).toEqual(plain);
+});
+
 test("films over speed run in the background, are stopped, and become out of date", async ({
   page,
   studio,
