@@ -232,6 +232,7 @@ __all__ = [
     "InternalPlane",
     "InvalidCount",
     "JournalBearing",
+    "JournalInFilm",
     "JudgedBy",
     "JudgedCase",
     "JudgedSpeeds",
@@ -3428,7 +3429,7 @@ class CrankCase(Record):
     """A solved case of a crankshaft."""
 
     __slots__ = ()
-    _FIELDS = ("contact", "displaced_at", "largest_displacement", "peaks", "surfaces", "webs",)
+    _FIELDS = ("contact", "displaced_at", "films", "largest_displacement", "peaks", "surfaces", "webs",)
 
     @property
     def contact(self) -> ContactReport | None:
@@ -3439,6 +3440,11 @@ class CrankCase(Record):
     def displaced_at(self) -> FloatArray:
         """Where it is [m]."""
         return self._array("displaced_at")  # type: ignore[no-any-return]
+
+    @property
+    def films(self) -> Records[JournalInFilm]:
+        """In oil films: how each main bearing's journal rests."""
+        return self._all("films", JournalInFilm)
 
     @property
     def largest_displacement(self) -> float:
@@ -3665,7 +3671,7 @@ class CrankLoad(Record):
         return self._all("pins", PinLoad2)
 
     @property
-    def pressure(self) -> Literal['cosine', 'uniform']:
+    def pressure(self) -> Literal['cosine', 'uniform', 'film']:
         """How they are spread."""
         return self._get("pressure")  # type: ignore[no-any-return]
 
@@ -8689,6 +8695,58 @@ class JournalBearing(Record):
     def radius(self) -> float:
         """Radius of the journal [m]."""
         return self._get("radius")  # type: ignore[no-any-return]
+
+
+class JournalInFilm(Record):
+    """A journal in its oil film, at rest."""
+
+    __slots__ = ()
+    _FIELDS = ("bearing", "contact_share", "eccentricity", "eccentricity_ratio", "force", "largest_pressure", "least_edge_film", "least_film", "shell",)
+
+    @property
+    def bearing(self) -> str:
+        """Its bearing: "main bearing 2"."""
+        return self._get("bearing")  # type: ignore[no-any-return]
+
+    @property
+    def contact_share(self) -> float:
+        """Share of the force that touching roughness carries."""
+        return self._get("contact_share")  # type: ignore[no-any-return]
+
+    @property
+    def eccentricity(self) -> FloatArray:
+        """Journal's centre from that of its shell, in the same frame [m]."""
+        return self._array("eccentricity")  # type: ignore[no-any-return]
+
+    @property
+    def eccentricity_ratio(self) -> float:
+        """Its length over the radial clearance."""
+        return self._get("eccentricity_ratio")  # type: ignore[no-any-return]
+
+    @property
+    def force(self) -> FloatArray:
+        """Force of the film on the journal, in the frame of the crankshaft [N]."""
+        return self._array("force")  # type: ignore[no-any-return]
+
+    @property
+    def largest_pressure(self) -> float:
+        """Largest pressure of the film [Pa]."""
+        return self._get("largest_pressure")  # type: ignore[no-any-return]
+
+    @property
+    def least_edge_film(self) -> float:
+        """Least film at an end of the bearing by the slope of the journal there [m]: below 0 it touches. The film itself is that of parallel axes."""
+        return self._get("least_edge_film")  # type: ignore[no-any-return]
+
+    @property
+    def least_film(self) -> float:
+        """Least film at the middle of the bearing [m]."""
+        return self._get("least_film")  # type: ignore[no-any-return]
+
+    @property
+    def shell(self) -> FloatArray:
+        """Shell's centre from its place without load, by the stiffness of the housing [m]."""
+        return self._array("shell")  # type: ignore[no-any-return]
 
 
 class JudgedBy(Record):
