@@ -23,6 +23,7 @@ pub enum StressCommand {
                             lanchester stress static four.toml --case 'unit radial'\n  \
                             lanchester stress static four.toml --force '1: -65 kN, 10.7 kN' --support clamped-ends\n  \
                             lanchester stress static four.toml --angle '7 deg' --support rings --ring-thickness '5 mm'\n  \
+                            lanchester stress static four.toml --angle '380 deg' --size '20 mm' --fillet-elements 2 --support film --pin-pressure film\n  \
                             lanchester stress static four.toml --angle '7 deg' --size '20 mm' --fillet-elements 2 --submodel 2 --submodel-elements 4\n  \
                             lanchester stress static four.toml --size '6 mm' --fillet-elements 8 --format csv > fillets.csv\n  \
                             lanchester stress static four.toml --angle '7 deg' --speed '4000 rpm' --size '12 mm' --fillet-elements 4 --converge"

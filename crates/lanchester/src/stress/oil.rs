@@ -9,14 +9,14 @@ use crate::stress::named_load::{NamedLoad, turn};
 use crate::stress::request::{LoadSource, StaticRequest, StressError, StressLoad};
 use crate::torque_report::bearing_sizes;
 use lanchester_film::{JournalCycle, OrbitOutcome, OrbitRequest, contact_force, journal_orbit};
-use lanchester_flex::crank_case::{CrankSupport, FilmBearing, PinPressure};
+use lanchester_flex::crank_case::{CrankSupport, FilmBearing, PinLoad, PinPressure};
 use lanchester_flex::oil_pressure::OilPressure;
 use lanchester_flex::train::{FilmInstant, Plane, TrainLaw};
 use lanchester_mechanism::{BearingLoads, BearingPart, BearingRequest, bearing_loads};
 use lanchester_model::{Engine, Housing};
 use lanchester_report::CycleLaw;
 
-/// Change of the speed for which the oil is warmed anew.
+/// Change of the speed within a run for which the oil is warmed anew.
 const SAME_SPEED: f64 = 0.05;
 
 /// Films of one speed.
@@ -76,7 +76,8 @@ pub(crate) fn add_films(
     }
     check_films(request)?;
     let mut known: Vec<AtSpeed> = Vec::new();
-    let mut apart: f64 = 0.0;
+    let is_run = request.source != LoadSource::ClosedForm;
+    let (mut missing, mut largest) = (0.0f64, 0.0f64);
     for own in loads {
         if own.speed == 0.0 {
             return Err(StressError::NoFilms {
@@ -84,7 +85,8 @@ pub(crate) fn add_films(
                 hint: "give a speed",
             });
         }
-        let is_near = |known: &AtSpeed| (known.speed / own.speed - 1.0).abs() <= SAME_SPEED;
+        let apart = if is_run { SAME_SPEED } else { 0.0 };
+        let is_near = |known: &AtSpeed| (known.speed / own.speed - 1.0).abs() <= apart;
         let at = match known.iter().position(is_near) {
             Some(at) => at,
             None => {
@@ -96,29 +98,28 @@ pub(crate) fn add_films(
         own.load.films.clone_from(&films.mains);
         let Some(theta) = own.theta.filter(|_| on_pins) else { continue };
         let turn = turn(engine, request.mesh.crankshaft, theta);
-        for (pin, big_end) in &films.pins {
-            own.load.oil.push(big_end.pressure(theta, turn)?);
-            let wanted =
-                own.load.pins.iter().find(|load| load.pin == *pin).map_or([0.0; 2], |load| load.force);
-            let name = format!("PIN_{pin}");
-            let same_pin = own.load.oil.iter().filter(|oil| oil.place.set == name);
-            let sum = same_pin
-                .fold([0.0; 2], |sum: Plane, oil| [0, 1].map(|k| sum[k] + oil.force[k] + oil.contact[k]));
-            let count = films.pins.iter().filter(|(own, _)| own == pin).count();
-            let there = own.load.oil.iter().filter(|oil| oil.place.set == name).count();
-            // Once all rods of the pin are there.
-            if there == count {
-                let size = wanted[0].hypot(wanted[1]);
-                apart =
-                    apart.max((sum[0] - wanted[0]).hypot(sum[1] - wanted[1]) / size.max(f64::MIN_POSITIVE));
-            }
+        let oil = films.pins.iter().map(|(_, big_end)| big_end.pressure(theta, turn));
+        own.load.oil = oil.collect::<Result<_, _>>()?;
+        for PinLoad { pin, force } in &own.load.pins {
+            let carried = films.pins.iter().zip(&own.load.oil).filter(|((number, _), _)| number == pin);
+            let carried = carried.fold([0.0; 2], |sum: Plane, (_, oil)| {
+                [0, 1].map(|k| sum[k] + oil.force[k] + oil.contact[k])
+            });
+            missing = missing.max((carried[0] - force[0]).hypot(carried[1] - force[1]));
+            largest = largest.max(force[0].hypot(force[1]));
         }
     }
     if on_pins {
         notes.push(format!(
             "Pressure on pins: that of the oil films of the big ends on their quasi-static orbits at the instant of the load, solved directly. The films carry the \
-             loads to {:.2} % and are stretched to them exactly.",
-            100.0 * apart
+             loads to {:.2} % of the largest and are stretched to them exactly.",
+            100.0 * missing / largest.max(f64::MIN_POSITIVE)
+        ));
+    }
+    if is_run {
+        notes.push(format!(
+            "Oil of loads whose speeds differ by less than {:.0} % is as warm as at the first of them.",
+            100.0 * SAME_SPEED
         ));
     }
     if request.support == CrankSupport::Films {

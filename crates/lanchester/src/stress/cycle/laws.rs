@@ -44,8 +44,10 @@ impl BearingLaws {
             let BearingFilms { films: found, assumptions, .. } =
                 bearing_films(engine, loads, &[cavitation], FilmMethod::Tables)?;
             for (place, film) in places.iter().zip(&mut films) {
-                *film =
-                    found.iter().find(|own| own.kind == place.kind && own.number == place.number).cloned();
+                let is_same = |own: &&BearingFilm| {
+                    (own.kind, own.crankshaft, own.number) == (place.kind, place.crankshaft, place.number)
+                };
+                *film = found.iter().find(is_same).cloned();
             }
             // What holds for quasi-static films alone is left out.
             let kept = assumptions.into_iter().filter(|own| !own.contains("quasi-static"));

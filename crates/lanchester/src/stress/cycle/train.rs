@@ -20,6 +20,8 @@ const GAS_SAMPLES: f64 = 8.0;
 #[derive(Debug, Clone)]
 pub(crate) struct Bearing {
     pub kind: BearingKind,
+    /// Number of its crankshaft, from 1.
+    pub crankshaft: usize,
     /// Number of the main on its crankshaft, or of the cylinder.
     pub number: usize,
     pub surface: BearingPlace,
@@ -92,6 +94,7 @@ pub(crate) fn main_places(engine: &Engine, crankshaft: usize) -> Result<Vec<Bear
         let width = data.width.or(sizes.main.map(|size| size.width)).unwrap_or(length).min(length);
         places.push(Bearing {
             kind: BearingKind::Main,
+            crankshaft: crankshaft + 1,
             number: index + 1,
             surface: BearingPlace {
                 name: format!("main bearing {}", index + 1),
@@ -133,6 +136,7 @@ fn big_end_places(engine: &Engine, crankshaft: usize) -> Result<Vec<Bearing>, St
         let width = data.width.or(sizes.crankpin.map(|size| size.width)).unwrap_or(*length).min(*length);
         places.push(Bearing {
             kind: BearingKind::Crankpin,
+            crankshaft: crankshaft + 1,
             number: index + 1,
             surface: BearingPlace {
                 name: format!("big end of cylinder {}", index + 1),
