@@ -12,7 +12,7 @@ pub struct Circle {
     pub radius: f64,
 }
 
-/// The smallest circle about all points; of none the point at the origin.
+/// The smallest circle about all points, which lie within 1e150 and, where not in one place, farther apart than 1e-150; of none the point at the origin.
 ///
 /// From the two or three points that hold it, the farthest point outside joins them and the smallest circle about these holds on. Its radius grows with
 /// every step, so it ends; most often after fewer than ten.
@@ -21,8 +21,10 @@ pub fn smallest_circle(points: &[[f64; 2]]) -> Circle {
     let mut holding = vec![*first];
     let mut circle = Circle { centre: *first, radius: 0.0 };
     loop {
-        let farthest = points.iter().map(|point| (distance(circle.centre, *point), *point));
+        // By squares: a root for every point would take most of the time of a fatigue analysis.
+        let farthest = points.iter().map(|point| (square(circle.centre, *point), *point));
         let (reach, point) = farthest.fold((0.0, *first), |a, b| if b.0 > a.0 { b } else { a });
+        let reach = reach.sqrt();
         if reach <= circle.radius * (1.0 + ROUNDING) {
             return circle;
         }
@@ -34,6 +36,12 @@ pub fn smallest_circle(points: &[[f64; 2]]) -> Circle {
         }
         (circle, holding) = (next, on);
     }
+}
+
+/// Square of the distance: points whose squares are numbers of normal size.
+fn square(a: [f64; 2], b: [f64; 2]) -> f64 {
+    let (x, y) = (a[0] - b[0], a[1] - b[1]);
+    x * x + y * y
 }
 
 fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
