@@ -313,10 +313,10 @@ fn weights(areas: &BTreeMap<u32, SignedArea>) -> Vec<(u32, f64)> {
     sized.filter(|(_, weight)| weight.abs() > 1e-9).collect()
 }
 
-/// Adds a force on a pin as a pressure over 180 degrees of its surface (eq. 43.10); that of films is taken for the cosine.
+/// Adds a force on a pin as a pressure over 180 degrees of its surface (eq. 43.10).
 ///
 /// # Errors
-/// [`FlexError::Missing`] where there is no such pin; [`FlexError::Number`] for a force that is none.
+/// [`FlexError::Missing`] where there is no such pin, and for the pressure of films, which this knows nothing of; [`FlexError::Number`] for a force that is none.
 pub fn load_pin(
     surfaces: &BearingSurfaces,
     case: StaticCase,
@@ -334,6 +334,9 @@ pub fn load_pin(
         });
     }
     let areas = surfaces.signed(&format!("PIN_{}", load.pin))?;
+    if pressure == PinPressure::Film {
+        return Err(no_film("on a loaded pin"));
+    }
     if size == 0.0 {
         return Ok(case);
     }
@@ -384,8 +387,11 @@ pub(crate) fn load_pins(
     load: &CrankLoad,
 ) -> Result<StaticCase, FlexError> {
     load.pins.iter().try_fold(case, |case, pin| {
-        if load.pressure != PinPressure::Film || pin.force == [0.0; 2] {
+        if load.pressure != PinPressure::Film {
             return load_pin(surfaces, case, *pin, load.pressure);
+        }
+        if pin.force == [0.0; 2] {
+            return Ok(case);
         }
         let name = format!("PIN_{}", pin.pin);
         let films: Vec<&OilPressure> = load.oil.iter().filter(|own| own.place.set == name).collect();
@@ -404,12 +410,7 @@ pub(crate) fn press_films(
     films: &[&OilPressure],
     force: [f64; 2],
 ) -> Result<StaticCase, FlexError> {
-    let missing = |name: &str| FlexError::Missing {
-        what: "pressure of an oil film",
-        name: name.to_owned(),
-        hint: "the films of all big ends are needed at the instant of the load, or spread it with the cosine",
-    };
-    let Some(first) = films.first() else { return Err(missing("on a loaded pin")) };
+    let Some(first) = films.first() else { return Err(no_film("on a loaded pin")) };
     let surface = surfaces.surface(&first.place.set)?;
     let all: f64 = surface.areas.values().map(|[x, y, _]| x.hypot(*y)).sum();
     let middle = [0, 1].map(|k| {
@@ -430,11 +431,19 @@ pub(crate) fn press_films(
         case = press(&surface.signed, case, touching, PinPressure::Cosine);
     }
     let wanted = [0, 1].map(|k| force[k] - touching[k]);
-    let forces = summing_to(&sum, wanted).ok_or_else(|| missing(&first.place.set))?;
+    let forces = summing_to(&sum, wanted).ok_or_else(|| no_film(&first.place.set))?;
     for (node, [x, y]) in forces {
         case = case.push(&[(node, 1.0)], [x, y, 0.0]);
     }
     Ok(case)
+}
+
+fn no_film(name: &str) -> FlexError {
+    FlexError::Missing {
+        what: "pressure of an oil film",
+        name: name.to_owned(),
+        hint: "the films of all big ends are needed at the instant of the load, or spread it with the cosine",
+    }
 }
 
 /// The law of a main bearing, where a crankshaft rests in films.

@@ -2,8 +2,8 @@
 
 use crate::FlexError;
 use crate::mesh::{Mesh, SurfaceFace, weighted_areas};
-use crate::train::{BearingPlace, FilmInstant, Plane, TrainLaw};
-use lanchester_film::{FilmGrid, FilmProblem, FilmSolver, JournalMotion, contact_force};
+use crate::train::{BearingPlace, FilmInstant, Plane, TrainLaw, solved_film};
+use lanchester_film::contact_force;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
@@ -39,25 +39,12 @@ impl OilPressure {
         law: &TrainLaw,
         instant: &FilmInstant,
     ) -> Result<Option<OilPressure>, FlexError> {
-        let TrainLaw::Film { bearing, table, viscosity, roughness } = law else { return Ok(None) };
+        let TrainLaw::Film { bearing, viscosity, roughness, .. } = law else { return Ok(None) };
         let refused = |error| FlexError::Film { bearing: place.name.clone(), error };
-        let ratio = instant.eccentricity.map(|part| part / bearing.clearance);
-        let problem = FilmProblem {
-            bearing: *bearing,
-            viscosity: *viscosity,
-            motion: JournalMotion {
-                eccentricity: instant.eccentricity,
-                velocity: instant.rate,
-                entrainment: instant.entrainment,
-                sliding: 0.0,
-            },
-            tilt: [0.0, 0.0],
-            cavitation: table.cavitation(),
-            feeds: Vec::new(),
+        let Some((solver, film)) = solved_film(law, instant, CELLS).map_err(refused)? else {
+            return Ok(None);
         };
-        let grid = FilmGrid::graded(CELLS.0, CELLS.1, true, ratio).map_err(refused)?;
-        let mut solver = FilmSolver::new(grid).map_err(refused)?;
-        let film = solver.solve(&problem).map_err(refused)?;
+        let ratio = instant.eccentricity.map(|part| part / bearing.clearance);
         let scale = bearing.pressure_scale(*viscosity);
         let size = ratio[0].hypot(ratio[1]);
         let touching = contact_force(bearing, *roughness, size);

@@ -31,6 +31,7 @@ pub use cycle::{
     CycleOptions, CycleOutcome, CycleState, CycleWatch, EnergyBalance, RecordedCycle, TrainCycles,
     run_cycles, run_cycles_watched, run_free,
 };
+pub(crate) use films::solved_film;
 pub use films::{FilmInstant, largest_film_pressure};
 pub use flywheel::{FreeFlywheel, FreeSpeed};
 pub use law::TrainLaw;

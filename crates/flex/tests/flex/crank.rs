@@ -13,13 +13,18 @@ use std::f64::consts::{PI, TAU};
 
 /// A crankshaft of one throw: mains 55 mm, pin 48 mm, fillets as given.
 pub fn one_throw(change: &str) -> Engine {
+    throws("cylinders = 1", change)
+}
+
+/// The same with as many throws as the layout says.
+pub fn throws(layout: &str, change: &str) -> Engine {
     let text = format!(
         r#"
 name = "single"
 speed = "4000 rpm"
 [layout]
 type = "in-line"
-cylinders = 1
+{layout}
 spacing = "90 mm"
 [crank]
 stroke = "95.5 mm"

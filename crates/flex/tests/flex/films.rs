@@ -1,6 +1,6 @@
 //! Crankshafts that rest in the oil films of their main bearings.
 
-use crate::crank::one_throw;
+use crate::crank::{one_throw, throws};
 use lanchester_film::{Cavitation, FilmTable, JournalBearing};
 use lanchester_flex::FlexError;
 use lanchester_flex::crank_case::{
@@ -33,14 +33,17 @@ fn single() -> (CrankMesh, Vec<FilmBearing>) {
         housing: None,
     };
     // In the middle of the surfaces between fillets and ends, where the support on journals holds them.
-    let middles = ["MAIN_1", "MAIN_2"].map(|name| {
-        let nodes = &mesh.mesh.set(name).unwrap().nodes;
-        let z = nodes.iter().map(|node| mesh.mesh.nodes[*node as usize][2]);
-        let [low, high] = z.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], z| [z.min(a), z.max(b)]);
-        0.5 * (low + high)
-    });
+    let middles = ["MAIN_1", "MAIN_2"].map(|name| surface(&mesh, name)[0]);
     let films = middles.into_iter().enumerate().map(film).collect();
     (mesh, films)
+}
+
+/// Middle and width of a bearing surface along the crankshaft [m].
+fn surface(mesh: &CrankMesh, set: &str) -> [f64; 2] {
+    let nodes = &mesh.mesh.set(set).unwrap().nodes;
+    let z = nodes.iter().map(|node| mesh.mesh.nodes[*node as usize][2]);
+    let [low, high] = z.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], z| [z.min(a), z.max(b)]);
+    [0.5 * (low + high), high - low]
 }
 
 fn place(name: &str, set: &str, z: f64) -> BearingPlace {
@@ -117,48 +120,14 @@ fn a_housing_that_yields_moves_the_shell_and_not_the_share_of_the_load() {
     }
 }
 
-/// Two throws in one plane on three mains, 90 mm apart.
-const TWO_THROWS: &str = r#"
-name = "two throws"
-speed = "3000 rpm"
-[layout]
-type = "in-line"
-cylinders = 2
-spacing = "90 mm"
-crank_angles = ["0 deg", "0 deg"]
-[crank]
-stroke = "95.5 mm"
-web_distance = "48 mm"
-[crank.body]
-density = "7850 kg/m3"
-journal_diameter = "55 mm"
-pin_diameter = "48 mm"
-web_thickness = "20 mm"
-web_radius = "40 mm"
-pin_end_radius = "36 mm"
-end_journals = ["22 mm", "22 mm"]
-pin_fillet = "6 mm"
-journal_fillet = "6 mm"
-[piston]
-mass = "0.5 kg"
-[rod]
-length = "150 mm"
-mass = "0.6 kg"
-"#;
-
 #[test]
 fn stiff_films_share_a_load_as_journals_on_their_axis_and_slack_ones_leave_it_to_the_outer_mains() {
-    let engine = lanchester_file::read(TWO_THROWS).engine().unwrap();
+    let layout = "cylinders = 2\ncrank_angles = [\"0 deg\", \"0 deg\"]";
+    let engine = throws(layout, "pin_fillet = \"6 mm\"\njournal_fillet = \"6 mm\"");
     let mesh = crank_mesh(&engine, 0, OPTIONS).unwrap();
     let films = |clearance: f64, viscosity: f64| -> Vec<FilmBearing> {
-        let middle = |index: usize| {
-            let nodes = &mesh.mesh.set(&format!("MAIN_{}", index + 1)).unwrap().nodes;
-            let z = nodes.iter().map(|node| mesh.mesh.nodes[*node as usize][2]);
-            let [low, high] = z.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], z| [z.min(a), z.max(b)]);
-            [0.5 * (low + high), high - low]
-        };
         let film = |index: usize| {
-            let [z, width] = middle(index);
+            let [z, width] = surface(&mesh, &format!("MAIN_{}", index + 1));
             let bearing = JournalBearing::new(0.0275, width, clearance).unwrap();
             let table = Arc::new(FilmTable::new(bearing.slenderness(), Cavitation::Gumbel).unwrap());
             let name = format!("main bearing {}", index + 1);

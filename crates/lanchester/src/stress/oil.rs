@@ -62,7 +62,7 @@ pub(crate) fn check_films(request: &StaticRequest) -> Result<(), StressError> {
     Ok(())
 }
 
-/// Gives each load the films that its request asks for; what is to be said of them.
+/// Gives each load the films that its request, which [`check_films`] has let pass, asks for; what is to be said of them.
 pub(crate) fn add_films(
     engine: &Engine,
     traces: &[TraceFile],
@@ -74,7 +74,6 @@ pub(crate) fn add_films(
     if !on_pins && request.support != CrankSupport::Films {
         return Ok(notes);
     }
-    check_films(request)?;
     let mut known: Vec<AtSpeed> = Vec::new();
     let is_run = request.source != LoadSource::ClosedForm;
     let (mut missing, mut largest) = (0.0f64, 0.0f64);
@@ -134,7 +133,6 @@ pub(crate) fn add_films(
              journals parallel to their shells; {housings}."
         ));
     }
-    notes.dedup();
     Ok(notes)
 }
 

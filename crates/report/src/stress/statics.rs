@@ -12,6 +12,7 @@ use lanchester_flex::crank_case::{CrankCase, CrankLoad, SurfacePeak};
 use lanchester_flex::journal_in_film::JournalInFilm;
 use lanchester_flex::sparse::SolveReport;
 use serde::Serialize;
+use std::collections::BTreeSet;
 
 /// Version of these structures; raised when a field changes its meaning or goes.
 pub const STATIC_STRESS_VERSION: u32 = 2;
@@ -392,8 +393,22 @@ impl StaticStress {
         words.extend(self.sheet.words());
         words.push(self.solve_words());
         words.extend(self.contact_words());
+        words.extend(self.touching_words());
         words.extend(self.notes.iter().cloned());
         words
+    }
+
+    /// Which bent journals touch at an end of their bearings; `None` where none does.
+    fn touching_words(&self) -> Option<String> {
+        let films = self.cases.iter().flat_map(|case| &case.result.films);
+        let touching: BTreeSet<&str> =
+            films.filter(|film| film.least_edge_film < 0.0).map(|film| film.bearing.as_str()).collect();
+        (!touching.is_empty()).then(|| {
+            format!(
+                "By the slope of its journal {} would touch at an end: forces and films there are those of a journal parallel to its shell, and hold no more than the sharing of the load.",
+                touching.into_iter().collect::<Vec<_>>().join(", ")
+            )
+        })
     }
 }
 

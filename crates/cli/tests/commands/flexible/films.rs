@@ -35,6 +35,9 @@ fn journals_rest_in_films_and_films_press_on_the_pin() {
         assert!((one - other).abs() < 1e-3 * at(&film, "load").abs().max(100.0), "{one} {other}");
     }
     assert!(held.pointer("/cases/0/result/films").is_none());
+    let edges = [0, 1].map(|main| number(&film, &format!("/cases/0/result/films/{main}/least_edge_film")));
+    let touches = edges.iter().any(|edge| *edge < 0.0);
+    assert_eq!(text.replace('\n', " ").contains("would touch at an end"), touches, "{edges:?}");
     assert!(number(&film, "/cases/0/result/films/0/least_film") > 0.0);
     assert_eq!(film.pointer("/cases/0/loading/pressure").unwrap(), "film");
     // The same from the file.
