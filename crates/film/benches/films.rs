@@ -1,8 +1,9 @@
 //! Time of films.
 use criterion::{Criterion, criterion_group, criterion_main};
 use lanchester_film::{
-    Cavitation, FilmGrid, FilmProblem, FilmSolver, FilmTable, JournalBearing, JournalCycle, JournalMotion,
-    OrbitRequest, journal_orbit,
+    Cavitation, DirectOrbit, DirectRequest, Feed, FilmGrid, FilmProblem, FilmSolver, FilmTable,
+    FloatingShaft, JournalBearing, JournalCycle, JournalMotion, OrbitRequest, ShaftJournal, ShaftRequest,
+    journal_orbit,
 };
 use std::hint::black_box;
 
@@ -48,7 +49,7 @@ fn films(c: &mut Criterion) {
             black_box(table.velocity([0.8 * angle.cos(), 0.8 * angle.sin()], [1.0, 0.5]))
         })
     });
-    // Two mains of a rigid crank that share its mass: 720 deg at 4000 rpm, with a firing and inertia.
+    // A main of a rigid crank with its share of the mass: 720 deg at 4000 rpm, with a firing and inertia.
     let (n, speed) = (720, 4000.0 * std::f64::consts::PI / 30.0);
     let load = |i: usize| {
         let a = 4.0 * std::f64::consts::PI * i as f64 / n as f64;
@@ -75,6 +76,36 @@ fn films(c: &mut Criterion) {
             b.iter(|| black_box(journal_orbit(&request)))
         });
     }
+    // The whole crank, which may tilt, in both of its mains.
+    let main = |z: f64| ShaftJournal { z, bearing, table: &table, cycle: &cycle };
+    let request = ShaftRequest {
+        journals: &[main(-0.05), main(0.06)],
+        mass: 10.0,
+        inertia: 0.05,
+        polar: 0.02,
+        speed,
+        roughness: 0.0,
+    };
+    let run = || FloatingShaft::new(&request).and_then(|mut shaft| shaft.run(&[0.01, 0.01], false));
+    let found = run().expect("orbits");
+    println!(
+        "two mains: {:?}, {} periods, {} steps",
+        found.outcome, found.orbits[0].periods, found.orbits[0].steps
+    );
+    c.bench_function("rigid shaft in two films to repetition", |b| b.iter(|| black_box(run())));
+    // A main of upper half groove under supply pressure, its film solved at every instant.
+    let feeds =
+        [Feed::Groove { from: 0.0, to: std::f64::consts::PI, middle: 0.0, width: 0.003, pressure: 4e5 }];
+    let cavitation = Cavitation::Reynolds;
+    let request =
+        DirectRequest { bearing, cavitation, cycle: &cycle, shell: &[], feeds: &feeds, roughness: 0.0 };
+    let run = || DirectOrbit::new(&request).and_then(|mut orbit| orbit.run(0.01));
+    let found = run().expect("an orbit");
+    println!("grooved: {:?}, {} periods, {} steps", found.outcome, found.periods, found.steps);
+    let mut group = c.benchmark_group("direct");
+    group.sample_size(10);
+    group.bench_function("orbit of a grooved film to repetition", |b| b.iter(|| black_box(run())));
+    group.finish();
 }
 
 criterion_group!(benches, films);

@@ -19,17 +19,19 @@ pub(crate) struct Cells {
     pub axial: usize,
     /// INT n da of each column.
     pub normal: Vec<Plane>,
-    /// Direction at the middle of each column, and its width.
+    /// Direction at the middle of each column, at its face towards the next, and its width.
     pub middle: Vec<Plane>,
+    pub edge: Vec<Plane>,
     pub width: Vec<f64>,
     /// H in the middle of the cell.
     pub thickness: Vec<f64>,
     /// H at the face towards the next column.
     pub face: Vec<f64>,
-    /// Conductance towards the next column, the next cell along the axis (the end for the last), and the end before the first cell.
+    /// Conductance towards the next column, towards the next cell along the axis (0 for the last), towards the ends, and the sum of all of a cell.
     pub east: Vec<f64>,
     pub north: Vec<f64>,
-    pub south: Vec<f64>,
+    pub end: Vec<f64>,
+    pub diagonal: Vec<f64>,
     /// INT v.n da.
     pub source: Vec<f64>,
     /// Known pressure, in the unit of P.
@@ -43,12 +45,17 @@ impl Cells {
         (self.around, self.axial) = (grid.around(), grid.axial);
         self.normal.clear();
         self.middle.clear();
+        self.edge.clear();
         self.width.clear();
+        let direction = |angle: f64| [angle.cos(), angle.sin()];
+        let mut before = direction(grid.faces[0]);
         for i in 0..self.around {
             let (from, to) = (grid.faces[i], grid.faces[i + 1]);
-            self.normal.push([to.sin() - from.sin(), from.cos() - to.cos()]);
-            let (sin, cos) = grid.angle(i).sin_cos();
-            self.middle.push([cos, sin]);
+            let edge = direction(to);
+            self.normal.push([edge[1] - before[1], before[0] - edge[0]]);
+            self.edge.push(edge);
+            before = edge;
+            self.middle.push(direction(grid.angle(i)));
             self.width.push(to - from);
         }
     }
@@ -68,27 +75,28 @@ impl Cells {
             &mut self.face,
             &mut self.east,
             &mut self.north,
-            &mut self.south,
+            &mut self.end,
+            &mut self.diagonal,
             &mut self.source,
         ] {
             buffer.clear();
             buffer.resize(n * m, 0.0);
         }
         for i in 0..n {
-            let (sin, cos) = grid.faces[i + 1].sin_cos();
             let distance = 0.5 * (self.width[i] + self.width[(i + 1) % n]);
             if tilt == [0.0, 0.0] {
                 // Every cell of the column is the same but the last, whose end is half a cell away.
                 let h = 1.0 - dot(ratio, self.middle[i]);
-                let face = 1.0 - dot(ratio, [cos, sin]);
+                let face = 1.0 - dot(ratio, self.edge[i]);
                 let along = shape * h.powi(3) * self.width[i] / (height * height);
                 let column = i * m..(i + 1) * m;
                 self.thickness[column.clone()].fill(h);
                 self.face[column.clone()].fill(face);
                 self.east[column.clone()].fill(face.powi(3) / distance);
                 self.north[column.clone()].fill(along);
-                self.north[column.end - 1] = 2.0 * along;
-                self.south[column.start] = if grid.half { 0.0 } else { 2.0 * along };
+                self.north[column.end - 1] = 0.0;
+                self.end[column.end - 1] = 2.0 * along;
+                self.end[column.start] = if grid.half { 0.0 } else { 2.0 * along };
                 self.source[column].fill(dot(closing, self.normal[i]));
                 continue;
             }
@@ -96,24 +104,40 @@ impl Cells {
                 let cell = i * m + j;
                 let at = add(ratio, grid.place(j), tilt);
                 let h = 1.0 - dot(at, self.middle[i]);
-                let face = 1.0 - dot(at, [cos, sin]);
+                let face = 1.0 - dot(at, self.edge[i]);
                 self.thickness[cell] = h;
                 self.face[cell] = face;
                 self.east[cell] = face.powi(3) / distance;
-                let between = if j + 1 < m { 1.0 } else { 2.0 };
-                let next = if j + 1 < m {
-                    1.0 - dot(add(ratio, 0.5 * (grid.place(j) + grid.place(j + 1)), tilt), self.middle[i])
-                } else {
-                    h
-                };
-                self.north[cell] = between * shape * next.powi(3) * self.width[i] / (height * height);
-                if j == 0 && !grid.half {
-                    self.south[cell] = 2.0 * shape * h.powi(3) * self.width[i] / (height * height);
+                let shape = shape * self.width[i] / (height * height);
+                if j + 1 < m {
+                    let between = add(ratio, 0.5 * (grid.place(j) + grid.place(j + 1)), tilt);
+                    self.north[cell] = shape * (1.0 - dot(between, self.middle[i])).powi(3);
+                }
+                if j + 1 == m || (j == 0 && !grid.half) {
+                    self.end[cell] = 2.0 * shape * h.powi(3);
                 }
                 self.source[cell] = dot(add(closing, grid.place(j), swing), self.normal[i]);
             }
         }
+        self.sum();
         self.fix(grid, problem);
+    }
+
+    /// The diagonal.
+    fn sum(&mut self) {
+        let (m, count) = (self.axial, self.around * self.axial);
+        for cell in 0..count {
+            self.diagonal[cell] = self.east[cell] + self.north[cell] + self.end[cell];
+        }
+        for cell in 0..count - m {
+            self.diagonal[cell + m] += self.east[cell];
+        }
+        for cell in 0..m {
+            self.diagonal[cell] += self.east[count - m + cell];
+        }
+        for cell in 1..count {
+            self.diagonal[cell] += self.north[cell - 1];
+        }
     }
 
     fn fix(&mut self, grid: &FilmGrid, problem: &FilmProblem) {
@@ -169,34 +193,56 @@ impl Cells {
         }
     }
 
-    /// Sum of the conductances of a cell.
-    pub fn diagonal(&self, i: usize, j: usize) -> f64 {
-        let (m, cell) = (self.axial, i * self.axial + j);
-        let west = (i + self.around - 1) % self.around * m + j;
-        let below = if j > 0 { self.north[cell - 1] } else { self.south[cell] };
-        self.east[cell] + self.east[west] + self.north[cell] + below
+    /// The cell of the next column.
+    pub fn next(&self, cell: usize) -> usize {
+        let next = cell + self.axial;
+        if next < self.thickness.len() { next } else { next - self.thickness.len() }
+    }
+
+    /// The cell of the column before.
+    pub fn before(&self, cell: usize) -> usize {
+        cell.checked_sub(self.axial).unwrap_or(self.thickness.len() + cell - self.axial)
+    }
+
+    /// The cells that share a face with one, and the conductances over it.
+    pub fn neighbours(&self, cell: usize) -> impl Iterator<Item = (usize, f64)> {
+        let j = cell % self.axial;
+        let before = self.before(cell);
+        let around = [(self.next(cell), self.east[cell]), (before, self.east[before])];
+        let above = (j + 1 < self.axial).then(|| (cell + 1, self.north[cell]));
+        let below = (j > 0).then(|| (cell - 1, self.north[cell - 1]));
+        around.into_iter().chain(above).chain(below)
     }
 
     /// The cell from which surfaces that turn with this mean speed carry oil into a cell, and the one whose face towards its next is between both.
-    pub fn upstream(&self, entrainment: f64, i: usize, j: usize) -> (usize, usize) {
-        let (n, m) = (self.around, self.axial);
-        let west = (i + n - 1) % n * m + j;
-        if entrainment >= 0.0 { (west, west) } else { ((i + 1) % n * m + j, i * m + j) }
+    pub fn upstream(&self, entrainment: f64, cell: usize) -> (usize, usize) {
+        let before = self.before(cell);
+        if entrainment >= 0.0 { (before, before) } else { (self.next(cell), cell) }
     }
 
-    /// What leaves a cell by pressure: row of the matrix times P.
-    pub fn outflow(&self, p: &[f64], i: usize, j: usize) -> f64 {
-        let (n, m) = (self.around, self.axial);
-        let cell = i * m + j;
-        let (next, west) = ((i + 1) % n * m + j, (i + n - 1) % n * m + j);
-        let mut sum = self.diagonal(i, j) * p[cell] - self.east[cell] * p[next] - self.east[west] * p[west];
-        if j + 1 < m {
-            sum -= self.north[cell] * p[cell + 1];
+    /// What leaves each cell by pressure: the matrix times P.
+    pub fn outflow(&self, p: &[f64], out: &mut Vec<f64>) {
+        let (m, count) = (self.axial, self.around * self.axial);
+        out.clear();
+        out.extend(self.diagonal.iter().zip(p).map(|(diagonal, p)| diagonal * p));
+        for (out, (north, p)) in out.iter_mut().zip(self.north.iter().zip(&p[1..])) {
+            *out -= north * p;
         }
-        if j > 0 {
-            sum -= self.north[cell - 1] * p[cell - 1];
+        for (out, (north, p)) in out[1..].iter_mut().zip(self.north.iter().zip(p)) {
+            *out -= north * p;
         }
-        sum
+        for (out, (east, p)) in out.iter_mut().zip(self.east.iter().zip(&p[m..])) {
+            *out -= east * p;
+        }
+        for (out, (east, p)) in out[m..].iter_mut().zip(self.east.iter().zip(p)) {
+            *out -= east * p;
+        }
+        // Over the face where the columns close.
+        for j in 0..m {
+            let (first, last) = (j, count - m + j);
+            out[last] -= self.east[last] * p[first];
+            out[first] -= self.east[last] * p[last];
+        }
     }
 
     /// Order of the columns in which neighbours are near one another: from a column where all pressure is known onwards, else folded.

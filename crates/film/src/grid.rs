@@ -42,30 +42,23 @@ impl FilmGrid {
         require_film(ratio)?;
         let origin = along[1].atan2(along[0]);
         let stretch = ((1.0 + ratio) / (1.0 - ratio)).sqrt();
-        // g = 2 atan(stretch tan(a/2)); wanted is a with (a + g)/2 = u, u equal steps in [-pi, pi].
+        // g = 2 atan(stretch tan(a/2)) is Sommerfeld's angle; wanted is a with (a + g)/2 = u, u equal steps in [0, pi]. With t = tan(a/2):
+        // tan u = (1 + stretch) t/(1 - stretch t^2), a quadratic.
         let place = |u: f64| {
-            let (mut low, mut high) = (-PI, PI);
-            let mut a = u / stretch.max(1.0);
-            for _ in 0..80 {
-                let (sin, cos) = (0.5 * a).sin_cos();
-                let value = 0.5 * (a + 2.0 * (stretch * sin).atan2(cos)) - u;
-                if value > 0.0 {
-                    high = a
-                } else {
-                    low = a
-                }
-                let slope = 0.5 * (1.0 + stretch / (cos * cos + stretch * stretch * sin * sin));
-                let step = a - value / slope;
-                let next = if step > low && step < high { step } else { 0.5 * (low + high) };
-                if (next - a).abs() < 1e-15 {
-                    break;
-                }
-                a = next;
+            let (sin, cos) = u.sin_cos();
+            let linear = (1.0 + stretch) * cos;
+            let root = (linear * linear + 4.0 * stretch * sin * sin).sqrt();
+            2.0 * if cos >= 0.0 {
+                (2.0 * sin).atan2(root + linear)
+            } else {
+                (root - linear).atan2(2.0 * stretch * sin)
             }
-            a
         };
-        let mut faces: Vec<f64> =
-            (0..=around).map(|i| origin + place(TAU * i as f64 / around as f64 - PI)).collect();
+        let mut faces = vec![origin; around + 1];
+        for i in 0..around.div_ceil(2) {
+            let a = place(PI * (1.0 - 2.0 * i as f64 / around as f64));
+            (faces[i], faces[around - i]) = (origin - a, origin + a);
+        }
         faces[0] = origin - PI;
         faces[around] = origin + PI;
         Ok(FilmGrid { faces, axial, half })

@@ -54,6 +54,7 @@ impl FilmSolution {
         problem: &FilmProblem,
         p: &[f64],
         empty: &[f64],
+        outflow: &[f64],
     ) -> FilmSolution {
         let (n, m) = (cells.around, cells.axial);
         let bearing = &problem.bearing;
@@ -80,16 +81,14 @@ impl FilmSolution {
                 let thin = cells.width[i] / cells.thickness[cell];
                 shear += thin * (1.0 - empty[cell]);
                 shear_pressed += if p[cell] > 0.0 { thin } else { 0.0 };
-                side += (if j + 1 == m { cells.north[cell] } else { 0.0 } + cells.south[cell]) * p[cell];
+                side += cells.end[cell] * p[cell];
                 if cells.fixed[cell].is_some() {
-                    feed += cells.outflow(p, i, j) - cells.source[cell];
+                    feed += outflow[cell] - cells.source[cell];
                     // And what fills the emptiness that is carried into it.
-                    let (upstream, face) = cells.upstream(motion.entrainment, i, j);
+                    let (upstream, face) = cells.upstream(motion.entrainment, cell);
                     feed += motion.entrainment.abs() * bearing.clearance * cells.face[face] * empty[upstream];
                 }
-                if p[cell] != 0.0 {
-                    flow_work += p[cell] * cells.outflow(p, i, j);
-                }
+                flow_work += p[cell] * outflow[cell];
                 if tilted {
                     // Lever of the pressure about the bearing's centre, the tilt included.
                     let at = add(motion.eccentricity, grid.place(j), problem.tilt);

@@ -1,6 +1,6 @@
 //! The finite film: pressure by cavitation model, with buffers that are kept from call to call.
 
-use crate::banded::{Band, SymmetricBand};
+use crate::banded::Band;
 use crate::cavitation::Cavitation;
 use crate::cells::Cells;
 use crate::error::{FilmError, require};
@@ -20,14 +20,18 @@ pub struct FilmSolver {
     grid: FilmGrid,
     cells: Cells,
     separable: Separable,
-    symmetric: SymmetricBand,
-    general: Band,
+    band: Band,
     pressure: Vec<f64>,
     empty: Vec<f64>,
     under_pressure: Vec<bool>,
     warm: bool,
     number: Vec<usize>,
-    right: Vec<f64>,
+    /// Solution of the band.
+    unknown: Vec<f64>,
+    /// What leaves each cell by pressure.
+    outflow: Vec<f64>,
+    /// Pressure of the film before the last.
+    earlier: Vec<f64>,
     memory: Option<Memory>,
 }
 
@@ -62,14 +66,15 @@ impl FilmSolver {
         let mut solver = FilmSolver {
             cells: Cells::default(),
             separable: Separable::default(),
-            symmetric: SymmetricBand::default(),
-            general: Band::default(),
+            band: Band::default(),
             pressure: vec![0.0; count],
             empty: vec![0.0; count],
             under_pressure: vec![true; count],
             warm: false,
             number: vec![NONE; count],
-            right: Vec::with_capacity(count),
+            unknown: Vec::with_capacity(count),
+            outflow: Vec::with_capacity(count),
+            earlier: vec![0.0; count],
             memory: None,
             grid,
         };
@@ -138,8 +143,15 @@ impl FilmSolver {
                 first.and_then(|first| Some(first + self.conserving(problem)?))
             }
         };
-        let mut solution =
-            FilmSolution::gather(&self.grid, &self.cells, problem, &self.pressure, &self.empty);
+        self.cells.outflow(&self.pressure, &mut self.outflow);
+        let mut solution = FilmSolution::gather(
+            &self.grid,
+            &self.cells,
+            problem,
+            &self.pressure,
+            &self.empty,
+            &self.outflow,
+        );
         solution.converged = iterations.is_some();
         solution.iterations = iterations.unwrap_or(MOST_ITERATIONS);
         Ok(solution)
@@ -155,36 +167,53 @@ impl FilmSolver {
         self.warm = false;
     }
 
-    /// P >= 0, outflow >= source, one of them equal: sets change until none must.
-    fn complementary(&mut self) -> Option<usize> {
-        let m = self.cells.axial;
+    /// First guess of the cells under pressure.
+    fn guess_set(&mut self) {
         if !self.warm {
             // Cells of a positive source first: the set grows and shrinks from there.
             for (set, source) in self.under_pressure.iter_mut().zip(&self.cells.source) {
                 *set = *source > 0.0;
             }
+            return;
         }
+        // The pressure as it went on from the film before the last to the last, relaxed once in this one, tells most of the cells that change.
+        for (earlier, last) in self.earlier.iter_mut().zip(&self.pressure) {
+            *earlier = 2.0 * last - *earlier;
+        }
+        self.cells.outflow(&self.earlier, &mut self.outflow);
+        for (cell, set) in self.under_pressure.iter_mut().enumerate() {
+            let others = self.outflow[cell] - self.cells.diagonal[cell] * self.earlier[cell];
+            *set = others < self.cells.source[cell];
+        }
+        self.earlier.clone_from(&self.pressure);
+    }
+
+    /// P >= 0, outflow >= source, one of them equal: sets change until none must.
+    fn complementary(&mut self) -> Option<usize> {
+        let is_first = !self.warm;
+        self.guess_set();
         self.warm = false;
         for iteration in 1..=MOST_ITERATIONS {
             self.solve_set();
+            self.cells.outflow(&self.pressure, &mut self.outflow);
             let mut changed = false;
-            for i in 0..self.cells.around {
-                for j in 0..m {
-                    let cell = i * m + j;
-                    if self.cells.fixed[cell].is_some() {
-                        continue;
-                    }
-                    let wanted = if self.under_pressure[cell] {
-                        self.pressure[cell] > 0.0
-                    } else {
-                        self.cells.outflow(&self.pressure, i, j) < self.cells.source[cell]
-                    };
-                    changed |= wanted != self.under_pressure[cell];
-                    self.under_pressure[cell] = wanted;
+            for cell in 0..self.pressure.len() {
+                if self.cells.fixed[cell].is_some() {
+                    continue;
                 }
+                let wanted = if self.under_pressure[cell] {
+                    self.pressure[cell] > 0.0
+                } else {
+                    self.outflow[cell] < self.cells.source[cell]
+                };
+                changed |= wanted != self.under_pressure[cell];
+                self.under_pressure[cell] = wanted;
             }
             if !changed {
                 self.warm = true;
+                if is_first {
+                    self.earlier.clone_from(&self.pressure);
+                }
                 return Some(iteration);
             }
         }
@@ -194,67 +223,62 @@ impl FilmSolver {
 
     /// Pressure in the cells of the set, zero in the others, as known in the fixed.
     fn solve_set(&mut self) {
-        let (n, m) = (self.cells.around, self.cells.axial);
-        let free = |i: usize, cell: usize, solver: &FilmSolver| {
-            solver.under_pressure[i * m + cell] && solver.cells.fixed[i * m + cell].is_none()
-        };
-        let cut = (0..n).find(|&i| (0..m).all(|j| !free(i, j, self)));
-        let order = self.cells.order(cut);
-        self.number.fill(NONE);
+        let cells = &self.cells;
+        let (n, m) = (cells.around, cells.axial);
+        for (number, (set, fixed)) in self.number.iter_mut().zip(self.under_pressure.iter().zip(&cells.fixed))
+        {
+            *number = if *set && fixed.is_none() { 0 } else { NONE };
+        }
+        let cut = self.number.chunks_exact(m).position(|column| column.iter().all(|own| *own == NONE));
         let mut count = 0;
-        for &i in &order {
-            for j in 0..m {
-                if free(i, j, self) {
-                    self.number[i * m + j] = count;
-                    count += 1;
-                }
+        for i in cells.order(cut) {
+            for own in self.number[i * m..(i + 1) * m].iter_mut().filter(|own| **own != NONE) {
+                *own = count;
+                count += 1;
             }
         }
         let mut width = 1;
-        for i in 0..n {
-            for j in 0..m {
-                let (own, next) = (self.number[i * m + j], self.number[(i + 1) % n * m + j]);
-                if own != NONE && next != NONE {
-                    width = width.max(own.abs_diff(next));
-                }
-            }
-        }
-        self.symmetric.reset(count, width);
-        self.right.clear();
-        self.right.resize(count, 0.0);
-        for i in 0..n {
-            for j in 0..m {
-                let cell = i * m + j;
-                let own = self.number[cell];
-                if own != NONE {
-                    self.symmetric.add(own, own, self.cells.diagonal(i, j));
-                    self.right[own] += self.cells.source[cell];
-                }
-                self.link(cell, (i + 1) % n * m + j, self.cells.east[cell]);
-                if j + 1 < m {
-                    self.link(cell, cell + 1, self.cells.north[cell]);
-                }
-            }
-        }
-        self.symmetric.solve(&mut self.right);
         for cell in 0..n * m {
-            self.pressure[cell] = match (self.cells.fixed[cell], self.number[cell]) {
-                (Some(known), _) => known,
-                (None, NONE) => 0.0,
-                (None, own) => self.right[own],
-            };
-        }
-    }
-
-    fn link(&mut self, a: usize, b: usize, conductance: f64) {
-        let (first, second) = (self.number[a], self.number[b]);
-        if first != NONE && second != NONE {
-            self.symmetric.add(first, second, -conductance);
-        }
-        for (own, other) in [(first, b), (second, a)] {
-            if let (true, Some(known)) = (own != NONE, self.cells.fixed[other]) {
-                self.right[own] += conductance * known;
+            let (own, next) = (self.number[cell], self.number[cells.next(cell)]);
+            if own != NONE && next != NONE {
+                width = width.max(own.abs_diff(next));
             }
+        }
+        self.band.reset(count, width);
+        for cell in 0..n * m {
+            let own = self.number[cell];
+            if own == NONE {
+                continue;
+            }
+            self.band.add(own, own, cells.diagonal[cell]);
+            self.band.add_right(own, cells.source[cell]);
+            if cells.north[cell] != 0.0 && self.number[cell + 1] != NONE {
+                self.band.add(own, own + 1, -cells.north[cell]);
+                self.band.add(own + 1, own, -cells.north[cell]);
+            }
+            let next = self.number[cells.next(cell)];
+            if next != NONE {
+                self.band.add(own, next, -cells.east[cell]);
+                self.band.add(next, own, -cells.east[cell]);
+            }
+        }
+        if cells.any_fixed {
+            for cell in 0..n * m {
+                if let Some(known) = cells.fixed[cell] {
+                    for (other, conductance) in cells.neighbours(cell) {
+                        if self.number[other] != NONE {
+                            self.band.add_right(self.number[other], conductance * known);
+                        }
+                    }
+                }
+            }
+        }
+        self.band.solve(&mut self.unknown);
+        for cell in 0..n * m {
+            self.pressure[cell] = match self.number[cell] {
+                NONE => cells.fixed[cell].unwrap_or(0.0),
+                own => self.unknown[own],
+            };
         }
     }
 
@@ -280,15 +304,13 @@ impl FilmSolver {
         }
         let width = if cut.is_some() { m } else { 2 * m };
         for iteration in 1..=MOST_ITERATIONS {
-            self.general.reset(count, width);
-            self.right.clear();
-            self.right.resize(count, 0.0);
+            self.band.reset(count, width);
             for i in 0..n {
                 for j in 0..m {
                     self.conserving_row(problem, carry, i, j);
                 }
             }
-            self.general.solve(&mut self.right);
+            self.band.solve(&mut self.unknown);
             let mut changed = false;
             for cell in 0..n * m {
                 let own = self.number[cell];
@@ -296,7 +318,7 @@ impl FilmSolver {
                     self.pressure[cell] = self.cells.fixed[cell].unwrap_or(0.0);
                     continue;
                 }
-                let value = self.right[own];
+                let value = self.unknown[own];
                 let full = self.under_pressure[cell];
                 (self.pressure[cell], self.empty[cell]) = if full { (value, 0.0) } else { (0.0, value) };
                 if value < 0.0 {
@@ -315,51 +337,39 @@ impl FilmSolver {
     }
 
     fn conserving_row(&mut self, problem: &FilmProblem, carry: f64, i: usize, j: usize) {
-        let (n, m) = (self.cells.around, self.cells.axial);
-        let cell = i * m + j;
+        let cell = i * self.cells.axial + j;
         let own = self.number[cell];
         if own == NONE {
             return;
         }
-        let (next, west) = ((i + 1) % n * m + j, (i + n - 1) % n * m + j);
-        self.right[own] += self.cells.source[cell];
+        self.band.add_right(own, self.cells.source[cell]);
         // Volume of the cell's column for H = 1.
         let volume = problem.bearing.clearance * self.cells.width[i];
         let change = match &self.memory {
             Some(memory) => {
-                self.right[own] -= volume * memory.past[cell];
+                self.band.add_right(own, -volume * memory.past[cell]);
                 volume * memory.rate * self.cells.thickness[cell]
             }
             None => self.cells.opening(problem.motion.velocity, i),
         };
-        let mut neighbours =
-            [(next, self.cells.east[cell]), (west, self.cells.east[west]), (NONE, 0.0), (NONE, 0.0)];
-        if j + 1 < m {
-            neighbours[2] = (cell + 1, self.cells.north[cell]);
-        }
-        if j > 0 {
-            neighbours[3] = (cell - 1, self.cells.north[cell - 1]);
-        }
         if self.under_pressure[cell] {
-            self.general.add(own, own, self.cells.diagonal(i, j));
+            self.band.add(own, own, self.cells.diagonal[cell]);
         } else {
             // Its own emptiness leaves over the face downstream and with the film's opening.
-            let downstream = if carry >= 0.0 { self.cells.face[cell] } else { self.cells.face[west] };
-            self.general.add(own, own, -(carry.abs() * downstream + change));
+            let downstream =
+                if carry >= 0.0 { self.cells.face[cell] } else { self.cells.face[self.cells.before(cell)] };
+            self.band.add(own, own, -(carry.abs() * downstream + change));
         }
-        for (other, conductance) in neighbours {
-            if other == NONE {
-                continue;
-            }
+        for (other, conductance) in self.cells.neighbours(cell) {
             if let Some(known) = self.cells.fixed[other] {
-                self.right[own] += conductance * known;
+                self.band.add_right(own, conductance * known);
             } else if self.under_pressure[other] {
-                self.general.add(own, self.number[other], -conductance);
+                self.band.add(own, self.number[other], -conductance);
             }
         }
-        let (upstream, face) = self.cells.upstream(carry, i, j);
+        let (upstream, face) = self.cells.upstream(carry, cell);
         if self.number[upstream] != NONE && !self.under_pressure[upstream] {
-            self.general.add(own, self.number[upstream], carry.abs() * self.cells.face[face]);
+            self.band.add(own, self.number[upstream], carry.abs() * self.cells.face[face]);
         }
     }
 }
