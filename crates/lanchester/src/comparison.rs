@@ -9,6 +9,7 @@ use crate::pressure::error::GasError;
 use crate::pressure::measured::TraceFile;
 use crate::pressure::over_speed::SpeedGas;
 use crate::torque_report::UNKNOWN_CRANKSHAFT;
+use crate::torsion_study::driveline;
 use lanchester_balance::{
     Affected, BalanceError, BalanceSettings, Consequences, GasOverSpeed, Next, Outcome, as_it_stands, fitted,
 };
@@ -19,7 +20,7 @@ use lanchester_mechanism::{
     SpeedResponse, Torque, TorqueError, TorqueRequest, firing_chart, flywheel_need, inertia_excitations,
     merged_orders, motion, rotor_inertia_about_z, torque, total_loads,
 };
-use lanchester_model::{Engine, EngineParts, Fault, Mount, SpeedRange};
+use lanchester_model::{DrivelineInertia, Engine, EngineParts, Fault, Mount, SpeedRange};
 use lanchester_results::OrderLoads;
 use lanchester_study::compare::{
     COMPARISON_VERSION, Compared, ComparedTorque, Comparison, Criterion, Equal, Held, Leading, Ranking,
@@ -314,6 +315,8 @@ struct Candidate {
     /// Torques over the angle that its file gives, in the size of the file.
     outer: OuterTorque,
     traces: Vec<TraceFile>,
+    /// What the crankshaft drives.
+    driveline: Vec<DrivelineInertia>,
 }
 
 /// Pressures on all pistons of an engine.
@@ -358,7 +361,8 @@ impl Candidate {
         let gas = Gas::of(&engine, &entry.traces, speed, warnings)?;
         let outer = OuterTorque::of(entry.file.tasks.simulation.as_deref())
             .map_err(|error| CompareError::Load { engine: engine.name.clone(), error: Box::new(error) })?;
-        Ok(Candidate { displacement, gas, outer, with, speed, engine, traces: entry.traces.clone() })
+        let (traces, driveline) = (entry.traces.clone(), driveline(&entry.file).to_vec());
+        Ok(Candidate { displacement, gas, outer, with, speed, engine, traces, driveline })
     }
 
     /// Net indicated power in the size of the file [W]; `None` without gas.
@@ -402,7 +406,7 @@ impl Candidate {
         let crank = self.inside_the_crank(similar)?;
         let speeds = [engine.speed.lowest, self.speed];
         let [main_film, crankpin_film, rule_safety, fillet_safety] =
-            similar_durability(engine, &self.traces, similar, speeds, asked.finite_elements);
+            similar_durability(engine, &self.traces, similar, speeds, &self.driveline, asked.finite_elements);
         let counterweights: f64 = engine.counterweights.iter().map(|weight| weight.unbalance).sum();
         let shaft_weights: f64 =
             engine.shafts.iter().flat_map(|shaft| &shaft.weights).map(|weight| weight.unbalance).sum();

@@ -90,16 +90,7 @@ pub(crate) fn with_known_rotors(engine: &Engine) -> Cow<'_, Engine> {
 /// The inertias of an engine and of the driveline that its file gives.
 pub fn inertias(engine: &Engine, tasks: &Tasks) -> Inertias {
     let bodies = rotating_bodies(engine);
-    let shares =
-        (0..engine.crankshafts.len()).filter_map(|index| Some((index, crankshaft(engine, index).ok()?)));
-    let mut throws: Vec<ThrowInertia> = shares
-        .flat_map(|(crankshaft, body)| body.throws.into_iter().map(move |share| (crankshaft, share)))
-        .filter_map(|(crankshaft, share)| {
-            let (mass, inertia) = (share.mass, share.polar_inertia);
-            Some(ThrowInertia { crankshaft, throw: share.throw?, mass, inertia })
-        })
-        .collect();
-    throws.sort_by_key(|share| share.throw);
+    let throws = throw_inertias(engine);
     let mut ratio = 1.0;
     let links = tasks.simulation.iter().flat_map(|input| &input.driveline);
     let driveline = links
@@ -110,4 +101,19 @@ pub fn inertias(engine: &Engine, tasks: &Tasks) -> Inertias {
         .collect();
     let sum = InertiaSum::of(&bodies);
     Inertias { version: INERTIAS_VERSION, bodies, throws, driveline, sum }
+}
+
+/// Mass and moment of inertia about the crank axis that each throw has of the crankshaft, by throw; without those whose crankshaft says too little.
+pub(crate) fn throw_inertias(engine: &Engine) -> Vec<ThrowInertia> {
+    let shares =
+        (0..engine.crankshafts.len()).filter_map(|index| Some((index, crankshaft(engine, index).ok()?)));
+    let mut throws: Vec<ThrowInertia> = shares
+        .flat_map(|(crankshaft, body)| body.throws.into_iter().map(move |share| (crankshaft, share)))
+        .filter_map(|(crankshaft, share)| {
+            let (mass, inertia) = (share.mass, share.polar_inertia);
+            Some(ThrowInertia { crankshaft, throw: share.throw?, mass, inertia })
+        })
+        .collect();
+    throws.sort_by_key(|share| share.throw);
+    throws
 }

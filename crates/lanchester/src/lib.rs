@@ -99,7 +99,7 @@ pub use torque_report::{
     bearing_report, bearing_sizes, bearing_study, power_speeds, torque_report,
 };
 pub use torsion_study::{
-    EngineTorsionError, TORSION_SPEEDS, TorsionRequest, engine_chain, engine_excitation, meshed_throws,
-    torque_period, torsion,
+    EngineTorsionError, ExcitingGas, TORSION_SPEEDS, TorsionRequest, engine_chain, engine_excitation,
+    meshed_throws, torque_period, torsion,
 };
 pub use value_list::value_list;

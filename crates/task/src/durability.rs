@@ -46,6 +46,9 @@ pub enum Measured {
         place: String,
         /// At which speed of crankshaft 1 [rad/s].
         speed: f64,
+        /// What it leaves out, and why; empty: nothing that others count.
+        #[serde(default, skip_serializing_if = "String::is_empty")]
+        left_out: String,
     },
     /// It is not: never 0.
     Unknown(Unmeasured),
@@ -322,7 +325,8 @@ mod tests {
 
     #[test]
     fn what_is_not_known_is_never_the_larger_one() {
-        let known = |value| Measured::Known { value, place: String::new(), speed: 1.0 };
+        let known =
+            |value| Measured::Known { value, place: String::new(), speed: 1.0, left_out: String::new() };
         let unknown = || Measured::Unknown(Unmeasured { reason: "no oil".into(), remedy: "give it".into() });
         assert_eq!(known(2.0).smaller(known(1.0)).value(), Some(1.0));
         assert_eq!(known(2.0).smaller(unknown()).value(), None);

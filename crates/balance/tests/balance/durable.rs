@@ -31,7 +31,12 @@ impl DurabilityMeter for ByLoad {
     fn measure(&self, engine: &Engine, criteria: &[DurabilityCriterion]) -> Vec<Measured> {
         self.asked.fetch_add(1, Ordering::Relaxed);
         let mains = films(engine);
-        let known = |value: f64| Measured::Known { value, place: "here".into(), speed: engine.speed.highest };
+        let known = |value: f64| Measured::Known {
+            value,
+            place: "here".into(),
+            speed: engine.speed.highest,
+            left_out: String::new(),
+        };
         let smallest = mains.iter().copied().fold(f64::INFINITY, f64::min);
         let of = |criterion: &DurabilityCriterion| match criterion {
             _ if self.is_blind => {

@@ -41,7 +41,7 @@ pub struct CompareArguments {
     #[arg(long, value_name = "SHARE")]
     pub fluctuation: Option<String>,
     /// Compare the smallest safety of the fillets by finite elements too, at the lowest speed and at that of the comparison: seconds to minutes an
-    /// engine. Oil films of the bearings (some tenths of a second an engine) and the formulas after UR M53 (milliseconds) are compared in any case, where
+    /// engine. Oil films of the bearings (some tenths of a second an engine) and the formulas after UR M53 (milliseconds, with torsional vibration tens of them) are compared in any case, where
     /// the files have [bearings.film] with clearances, and [crank.body] with fillets and [crank.material].
     #[arg(long)]
     pub finite_elements: bool,

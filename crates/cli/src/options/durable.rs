@@ -8,7 +8,7 @@ use lanchester::balance::{BalanceSettings, DurableSettings};
 #[derive(Debug, Clone, Args)]
 pub struct DurableArguments {
     /// Oil film or safety that must not fall below a value: `main-bearing film = 2 um`, `least film = 1.5 um`, `crankpin film 2 = 1 um`,
-    /// `rule safety = 1.3` (UR M53). May be given several times. Where the proved optimum does not hold it, a local search moves its weights on the
+    /// `rule safety = 1.3` (UR M53, with the torsional vibration of the chain that the file gives). May be given several times. Where the proved optimum does not hold it, a local search moves its weights on the
     /// crankshaft, first those moves that leave the loads on the block as they are; it claims no global optimum. A film costs milliseconds an
     /// engine with a viscosity at work, the search some seconds.
     #[arg(long, value_name = "LIMIT", conflicts_with_all = ["robust", "search", "method"])]

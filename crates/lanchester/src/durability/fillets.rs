@@ -51,7 +51,12 @@ impl EngineDurability<'_> {
                     remedy: "give pin_fillet and journal_fillet in [crank.body]".into(),
                 })
             },
-            |(speed, fillet, value)| Measured::Known { value, place: fillet.name.clone(), speed },
+            |(speed, fillet, value)| Measured::Known {
+                value,
+                place: fillet.name.clone(),
+                speed,
+                left_out: String::new(),
+            },
         )
     }
 }

@@ -210,7 +210,10 @@ impl EngineDurability<'_> {
             OrbitOutcome::NotPeriodic => ", orbit not periodic",
             OrbitOutcome::Periodic => "",
         };
-        (kind, Measured::Known { value: thickness, place: place.name() + words, speed })
+        (
+            kind,
+            Measured::Known { value: thickness, place: place.name() + words, speed, left_out: String::new() },
+        )
     }
 
     fn table(&self, slenderness: f64, cavitation: Cavitation) -> Result<Arc<FilmTable>, FilmError> {

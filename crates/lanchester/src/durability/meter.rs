@@ -5,7 +5,7 @@ use super::words::split_hint;
 use crate::pressure::cylinders::cylinder_gas;
 use crate::pressure::measured::TraceFile;
 use lanchester_mechanism::CylinderGas;
-use lanchester_model::Engine;
+use lanchester_model::{DrivelineInertia, Engine};
 use lanchester_task::{DurabilityCriterion, Measured, Unmeasured};
 use std::borrow::Cow;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -15,8 +15,8 @@ use std::sync::{Arc, Mutex, PoisonError};
 pub struct DurabilityRequest {
     /// Speeds of crankshaft 1 [rad/s], the smallest value of all counting; none: the lowest and the highest of the engine.
     pub speeds: Vec<f64>,
-    /// The engines differ in weights alone: pressures, big ends and the formulas after UR M53 are computed once, and each film keeps the temperature
-    /// that it has with the first engine.
+    /// The engines differ in weights alone: pressures, big ends and, without torsional vibration, the formulas after UR M53 are computed once, and each film keeps
+    /// the temperature that it has with the first engine.
     pub weights_alone: bool,
     /// Lengths of a similar engine over those of the engine that is measured [1]; pressures over the crank angle and roughness stay.
     pub length: f64,
@@ -24,6 +24,9 @@ pub struct DurabilityRequest {
     pub speed_of_original: f64,
     /// Whether the safety of fillets by finite elements may be computed: it takes from seconds to minutes an engine.
     pub finite_elements: bool,
+    /// What the crankshaft drives: the safety after UR M53 counts the torsional vibration of the chain that the engine gives, where it gives one, at the speeds and
+    /// between them at that of the largest torque. `None`: torsional vibration is left out.
+    pub driveline: Option<Vec<DrivelineInertia>>,
 }
 
 impl Default for DurabilityRequest {
@@ -35,6 +38,7 @@ impl Default for DurabilityRequest {
             length: 1.0,
             speed_of_original: 1.0,
             finite_elements: false,
+            driveline: None,
         }
     }
 }

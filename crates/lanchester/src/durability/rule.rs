@@ -2,15 +2,18 @@
 
 use super::meter::EngineDurability;
 use super::words::split_hint;
-use crate::stress::rule::{RuleRequest, crank_rule_of_size};
+use crate::pressure::measured::TraceFile;
+use crate::stress::rule::{CrankRuleError, RuleRequest, crank_rule_of_size};
+use crate::stress::rule_torsion::{Chained, RuleTorsionError};
 use lanchester_model::Engine;
+use lanchester_report::CrankRule;
 use lanchester_task::{DurabilityCriterion, Measured, Unmeasured};
 use std::sync::PoisonError;
 
 impl EngineDurability<'_> {
     /// That of a throw, or of all.
     pub(super) fn rule_of(&self, engine: &Engine, criterion: DurabilityCriterion) -> Measured {
-        if !self.request.weights_alone {
+        if !self.request.weights_alone || self.request.driveline.is_some() {
             return self.rule_now(engine, criterion);
         }
         let mut known = self.rule.lock().unwrap_or_else(PoisonError::into_inner);
@@ -38,8 +41,7 @@ impl EngineDurability<'_> {
                 continue;
             }
             let asked = RuleRequest { crankshaft, speeds: self.speeds(engine), ..RuleRequest::default() };
-            let size = [self.request.length, self.request.speed_of_original];
-            let found = match crank_rule_of_size(engine, traces, &asked, size) {
+            let (found, left_out) = match self.sheet(engine, traces, &asked) {
                 Ok(found) => found,
                 Err(error) => {
                     return Measured::Unknown(split_hint(
@@ -66,6 +68,7 @@ impl EngineDurability<'_> {
                             value,
                             place,
                             speed: sheet.speed / self.request.speed_of_original,
+                            left_out: left_out.clone(),
                         };
                         smallest = Some(match smallest.take() {
                             Some(known) => known.smaller(one),
@@ -76,6 +79,32 @@ impl EngineDurability<'_> {
             }
         }
         smallest.unwrap_or_else(unknown_throw)
+    }
+
+    /// The sheet of a crankshaft, and what it leaves out.
+    fn sheet(
+        &self,
+        engine: &Engine,
+        traces: &[TraceFile],
+        asked: &RuleRequest,
+    ) -> Result<(CrankRule, String), CrankRuleError> {
+        let size = [self.request.length, self.request.speed_of_original];
+        let without = |why: &str| {
+            let sheet = crank_rule_of_size(engine, traces, asked, size)?;
+            Ok((sheet, format!("torsional vibration{why}")))
+        };
+        let Some(driveline) = &self.request.driveline else { return without("") };
+        let ends = asked
+            .speeds
+            .iter()
+            .fold([f64::INFINITY, 0.0_f64], |[low, high], speed| [low.min(*speed), high.max(*speed)]);
+        match (Chained { engine, driveline, traces, size }).sheet(asked, Some(ends)) {
+            Ok(sheet) => Ok((sheet, String::new())),
+            Err(RuleTorsionError::Rule(error)) => Err(error),
+            Err(RuleTorsionError::Torsion(error)) => {
+                without(&format!(": {}", error.to_string().replace("\nhint:", ";")))
+            }
+        }
     }
 }
 

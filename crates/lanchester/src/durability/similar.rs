@@ -2,7 +2,7 @@
 
 use super::meter::{DurabilityRequest, EngineDurability};
 use crate::pressure::measured::TraceFile;
-use lanchester_model::Engine;
+use lanchester_model::{DrivelineInertia, Engine};
 use lanchester_study::compare::Similar;
 use lanchester_task::{DurabilityCriterion, DurabilityMeter, Measured, Unmeasured};
 
@@ -13,6 +13,7 @@ pub(crate) fn similar_durability(
     traces: &[TraceFile],
     similar: Similar,
     speeds: [f64; 2],
+    driveline: &[DrivelineInertia],
     finite_elements: bool,
 ) -> [Measured; 4] {
     let factor = similar.speed_of_original();
@@ -24,6 +25,7 @@ pub(crate) fn similar_durability(
         length: similar.length,
         speed_of_original: factor,
         finite_elements,
+        driveline: Some(driveline.to_vec()),
     };
     let asked = [
         DurabilityCriterion::MainFilm(None),

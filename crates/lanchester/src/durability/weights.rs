@@ -5,6 +5,7 @@ use crate::inertias::with_known_rotors;
 use crate::parts::web_bounds::optimise_on_webs;
 use crate::pressure::measured::TraceFile;
 use crate::pressure::over_speed::SpeedGas;
+use crate::torsion_study::driveline;
 use lanchester_balance::{
     Answer, BalanceError, BalanceSettings, Durable, DurableRequest, DurableSettings, GasOverSpeed, Next,
     durable,
@@ -39,6 +40,7 @@ pub fn durable_balance(
     let asked = |weights_alone: bool| DurabilityRequest {
         speeds: answer.task.speeds.clone(),
         weights_alone,
+        driveline: Some(driveline(file).to_vec()),
         ..DurabilityRequest::default()
     };
     let meter = EngineDurability::new(traces.clone(), asked(true));

@@ -1,10 +1,11 @@
 //! The sheet of formulas with the torsional vibration of the engine's own chain.
 
 use crate::pressure::measured::TraceFile;
-use crate::stress::rule::{CrankRuleError, RuleRequest, crank_rule};
-use crate::torsion_study::{EngineTorsionError, TorsionRequest, torsion};
+use crate::stress::rule::{CrankRuleError, RuleRequest, crank_rule, crank_rule_of_size};
+use crate::torsion_study::{EngineTorsionError, Swept, TorsionRequest, driveline, speeds_between, swept};
 use lanchester_file::EngineFile;
-use lanchester_report::{CrankRule, TorsionResult};
+use lanchester_model::{DrivelineInertia, Engine};
+use lanchester_report::CrankRule;
 use lanchester_units::{Dimension, readable};
 use std::collections::BTreeSet;
 
@@ -37,38 +38,76 @@ pub fn crank_rule_with_torsion(
     traces: &[TraceFile],
     request: &RuleRequest,
 ) -> Result<CrankRule, RuleTorsionError> {
-    let engine = &file.engine;
-    let rigid = RuleRequest { vibration: Vec::new(), ..request.clone() };
-    let mut still = crank_rule(engine, traces, &rigid)?;
-    let mut between = None;
-    if request.speeds.is_empty() {
-        let asked = TorsionRequest { without_gas: !request.gas, ..TorsionRequest::default() };
-        let throws = still.speeds.iter().flat_map(|sheet| &sheet.throws).map(|own| own.throw - 1).collect();
-        let range = engine.speed;
-        let is_inside = |speed: &f64| *speed * NEARLY > range.lowest && *speed < range.highest * NEARLY;
-        between = most_torque(&torsion(file, traces, &asked)?, &throws).filter(is_inside);
-        if let Some(speed) = between {
-            let there = crank_rule(engine, traces, &RuleRequest { speeds: vec![speed], ..rigid })?;
-            still.speeds.extend(there.speeds);
-            still.speeds.sort_by(|a, b| a.speed.total_cmp(&b.speed));
+    let chained = Chained { engine: &file.engine, driveline: driveline(file), traces, size: [1.0, 1.0] };
+    let speed = file.engine.speed;
+    chained.sheet(request, request.speeds.is_empty().then_some([speed.lowest, speed.highest]))
+}
+
+/// An engine whose sheet counts the torsional vibration of its chain.
+pub(crate) struct Chained<'a> {
+    pub engine: &'a Engine,
+    pub driveline: &'a [DrivelineInertia],
+    pub traces: &'a [TraceFile],
+    /// Lengths of the engine whose sheet it is over those of `engine`, and the speed of `engine` over its own at which its pistons are as fast.
+    pub size: [f64; 2],
+}
+
+impl Chained<'_> {
+    /// The sheet, and within a range of speeds [rad/s] that of the largest torque beside the throws too.
+    pub fn sheet(
+        &self,
+        request: &RuleRequest,
+        range: Option<[f64; 2]>,
+    ) -> Result<CrankRule, RuleTorsionError> {
+        let rigid = RuleRequest { vibration: Vec::new(), ..request.clone() };
+        let mut still = crank_rule_of_size(self.engine, self.traces, &rigid, self.size)?;
+        let mut between = None;
+        if let Some([low, high]) = range.filter(|[low, high]| low < high) {
+            let throws =
+                still.speeds.iter().flat_map(|sheet| &sheet.throws).map(|own| own.throw - 1).collect();
+            let is_inside = |speed: &f64| *speed * NEARLY > low && *speed < high * NEARLY;
+            let swept = self.swept(speeds_between(low, high), request)?;
+            between = most_torque(&swept, &throws).filter(is_inside);
+            if let Some(speed) = between {
+                let there = RuleRequest { speeds: vec![speed], ..rigid };
+                let there = crank_rule_of_size(self.engine, self.traces, &there, self.size)?;
+                still.speeds.extend(there.speeds);
+                still.speeds.sort_by(|a, b| a.speed.total_cmp(&b.speed));
+            }
         }
+        let mut whole: Option<CrankRule> = None;
+        for sheet in &still.speeds {
+            let speed = sheet.speed;
+            let speeds = vec![speed * (1.0 - BESIDE), speed, speed * (1.0 + BESIDE)];
+            let found = self.swept(speeds, request)?;
+            let volume = self.size[0].powi(3);
+            let vibration: Vec<f64> = sheet
+                .throws
+                .iter()
+                .map(|own| {
+                    volume * beyond_rigid(&found, own.throw - 1, own.torques.map(|torque| torque / volume))
+                })
+                .collect();
+            let one = RuleRequest { speeds: vec![speed], vibration, ..request.clone() };
+            let mut sheet = crank_rule_of_size(self.engine, self.traces, &one, self.size)?;
+            match &mut whole {
+                Some(whole) => whole.speeds.append(&mut sheet.speeds),
+                None => whole = Some(sheet),
+            }
+        }
+        let mut whole = whole.unwrap_or(still);
+        tell(&mut whole, between);
+        Ok(whole)
     }
-    let mut whole: Option<CrankRule> = None;
-    for sheet in &still.speeds {
-        let speed = sheet.speed;
-        let speeds = vec![speed * (1.0 - BESIDE), speed, speed * (1.0 + BESIDE)];
+
+    fn swept(&self, speeds: Vec<f64>, request: &RuleRequest) -> Result<Swept, EngineTorsionError> {
         let asked = TorsionRequest { speeds, without_gas: !request.gas, ..TorsionRequest::default() };
-        let found = torsion(file, traces, &asked)?;
-        let vibration: Vec<f64> =
-            sheet.throws.iter().map(|own| beyond_rigid(&found, own.throw - 1, own.torques)).collect();
-        let one = RuleRequest { speeds: vec![speed], vibration, ..request.clone() };
-        let mut sheet = crank_rule(engine, traces, &one)?;
-        match &mut whole {
-            Some(whole) => whole.speeds.append(&mut sheet.speeds),
-            None => whole = Some(sheet),
-        }
+        swept(self.engine, self.driveline, self.traces, &asked, self.size[1])
     }
-    let mut whole = whole.unwrap_or(still);
+}
+
+/// Says what of torsional vibration counts, and why a speed was looked at.
+fn tell(whole: &mut CrankRule, between: Option<f64>) {
     let words = "The amplitude of torsional vibration is that of the engine's torsional chain at each speed: what the shafts beside a throw carry in true phase of all orders beyond the \
                  torque of a rigid crankshaft.";
     whole.notes.extend(between.map(|speed| {
@@ -88,7 +127,6 @@ pub fn crank_rule_with_torsion(
         }
         None => whole.notes.push(words.to_owned()),
     }
-    Ok(whole)
 }
 
 /// The sheet of a crankshaft: with the torsional vibration that `request` gives, else with that of the engine's own chain, else, where the file says too little for
@@ -117,7 +155,7 @@ pub fn crank_rule_of_file(
 }
 
 /// Speed at which a shaft beside one of these throws carries the largest torque [rad/s].
-fn most_torque(found: &TorsionResult, throws: &BTreeSet<usize>) -> Option<f64> {
+fn most_torque(found: &Swept, throws: &BTreeSet<usize>) -> Option<f64> {
     let chain = &found.crank.chain;
     let stations: Vec<usize> =
         throws.iter().filter_map(|throw| found.crank.throws.get(*throw).copied()).collect();
@@ -128,11 +166,11 @@ fn most_torque(found: &TorsionResult, throws: &BTreeSet<usize>) -> Option<f64> {
     let shafts = found.sweep.shafts.iter().filter(is_beside);
     let torques = shafts.flat_map(|shaft| shaft.total.iter().copied().enumerate());
     let (at, _) = torques.max_by(|a, b| a.1.total_cmp(&b.1))?;
-    found.sweep.speeds.get(at).copied()
+    found.speeds.get(at).copied()
 }
 
 /// What the shafts beside a throw carry beyond these torques in front and behind [N m], at the middle speed.
-fn beyond_rigid(found: &TorsionResult, throw: usize, rigid: [f64; 2]) -> f64 {
+fn beyond_rigid(found: &Swept, throw: usize, rigid: [f64; 2]) -> f64 {
     let chain = &found.crank.chain;
     let Some(station) = found.crank.throws.get(throw).copied() else { return 0.0 };
     let of = |shaft: &lanchester_torsion::ShaftSweep| {

@@ -34,6 +34,15 @@ pub fn torque_period(engine: &Engine) -> Result<u32, EngineTorsionError> {
         .ok_or(EngineTorsionError::Period { most: MOST_REVOLUTIONS })
 }
 
+/// Whether the gas acts, and at which speed its pressures are.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ExcitingGas {
+    /// Whether it acts.
+    pub is_on: bool,
+    /// Speed of the engine over the one whose pressures it has, 1 but for an engine that stands for one of another size.
+    pub speed_of_original: f64,
+}
+
 /// Torques on the throws of `crank` up to the order `highest`, and where the pressures come from. Of a cycle that knows of speed the gas is computed at some speeds of
 /// the range `speeds` [rad/s], which rise, and taken straight between them.
 ///
@@ -45,7 +54,7 @@ pub fn engine_excitation(
     crank: &CrankChain,
     speeds: &[f64],
     highest: f64,
-    with_gas: bool,
+    gas: ExcitingGas,
 ) -> Result<(Excitation, Option<String>), EngineTorsionError> {
     let turns = torque_period(engine)?;
     let step = 1.0 / f64::from(turns);
@@ -58,9 +67,12 @@ pub fn engine_excitation(
         })
         .collect();
     let mut said = None;
-    if with_gas && engine.gas.is_some() {
-        for speed in gas_speeds(engine, speeds) {
-            let gas = cylinder_gas(engine, traces, speed)?;
+    if gas.is_on && engine.gas.is_some() {
+        let factor = gas.speed_of_original;
+        let own: Vec<f64> = speeds.iter().map(|speed| speed / factor).collect();
+        for own in gas_speeds(engine, &own) {
+            let speed = own * factor;
+            let gas = cylinder_gas(engine, traces, own)?;
             let torques = gas_torques(engine, &gas.cylinders, speed, turns)?;
             for (source, samples) in sources.iter_mut().zip(&torques) {
                 let (mean, orders) = orders_of(samples, count);

@@ -6,7 +6,7 @@ mod study;
 mod throws;
 
 pub use error::EngineTorsionError;
-pub use excitation::{engine_excitation, torque_period};
-pub(crate) use study::has_torsion;
+pub use excitation::{ExcitingGas, engine_excitation, torque_period};
+pub(crate) use study::{Swept, driveline, has_torsion, speeds_between, swept};
 pub use study::{TORSION_SPEEDS, TorsionRequest, engine_chain, torsion};
 pub use throws::meshed_throws;

@@ -1,17 +1,18 @@
 //! Torsional vibration of an engine over its speed range.
 
 use super::error::EngineTorsionError;
-use super::excitation::engine_excitation;
-use crate::inertias::{inertias, rotating_bodies};
+use super::excitation::{ExcitingGas, engine_excitation};
+use crate::inertias::{rotating_bodies, throw_inertias};
 use crate::pressure::measured::TraceFile;
 use lanchester_file::EngineFile;
-use lanchester_model::{DamperKind, Engine};
+use lanchester_model::{DamperKind, DrivelineInertia, Engine};
 use lanchester_report::{
     LimitedQuantity, MeshedThrow, TORSION_VERSION, TimeAmplitudes, TimeCheck, TorsionLimit, TorsionResult,
 };
 use lanchester_torsion::{
-    Chain, CrankChain, CrankChainInput, Excitation, TorsionError, TuneAim, TuneFree, TuneRequest, as_viscous,
-    campbell, crank_chain, damped_modes, holzer, modes, order_stars, peak, periodic_motion, sweep, tune,
+    Chain, CrankChain, CrankChainInput, Excitation, Sweep, TorsionError, TuneAim, TuneFree, TuneRequest,
+    as_viscous, campbell, crank_chain, damped_modes, holzer, modes, order_stars, peak, periodic_motion,
+    sweep, tune,
 };
 
 /// Speeds over the range of the engine where none are asked for.
@@ -52,14 +53,68 @@ pub(crate) fn has_torsion(engine: &Engine) -> bool {
 /// # Errors
 /// [`TorsionError::Needs`] with all that the file does not say.
 pub fn engine_chain(file: &EngineFile, stiffness: &[(usize, f64)]) -> Result<CrankChain, TorsionError> {
-    let EngineFile { engine, tasks } = file;
-    let shares = inertias(engine, tasks).throws;
+    chain_of(&file.engine, driveline(file), stiffness)
+}
+
+/// What the crankshaft of a file drives.
+pub(crate) fn driveline(file: &EngineFile) -> &[DrivelineInertia] {
+    file.tasks.simulation.as_ref().map_or(&[], |input| &input.driveline)
+}
+
+fn chain_of(
+    engine: &Engine,
+    driveline: &[DrivelineInertia],
+    stiffness: &[(usize, f64)],
+) -> Result<CrankChain, TorsionError> {
+    let shares = throw_inertias(engine);
     let throws: Vec<Option<f64>> = (0..engine.throws.len())
         .map(|throw| shares.iter().find(|share| share.throw == throw).map(|share| share.inertia))
         .collect();
-    let driveline = tasks.simulation.as_ref().map_or(&[][..], |input| &input.driveline);
     let bodies = rotating_bodies(engine);
     crank_chain(&CrankChainInput { engine, bodies: &bodies, throws: &throws, driveline, stiffness })
+}
+
+/// A chain and its forced vibration over speed.
+pub(crate) struct Swept {
+    pub crank: CrankChain,
+    pub excitation: Excitation,
+    /// Speeds of crankshaft 1 [rad/s], rising.
+    pub speeds: Vec<f64>,
+    pub sweep: Sweep,
+    /// Where the pressures come from.
+    pub gas: Option<String>,
+    pub notes: Vec<String>,
+}
+
+/// Forced vibration of the chain of an engine over the speeds of a request. The gas is that at a speed over `speed_of_original`.
+///
+/// # Errors
+/// As [`torsion`].
+pub(crate) fn swept(
+    engine: &Engine,
+    driveline: &[DrivelineInertia],
+    traces: &[TraceFile],
+    request: &TorsionRequest,
+    speed_of_original: f64,
+) -> Result<Swept, EngineTorsionError> {
+    let stiffness: Vec<_> = request.meshed.iter().map(MeshedThrow::taken).collect();
+    let mut crank = chain_of(engine, driveline, &stiffness)?;
+    let mut notes = std::mem::take(&mut crank.notes);
+    let speeds = speeds(engine, request, &mut notes)?;
+    let of_file = engine.torsion.as_ref().and_then(|design| design.highest_order);
+    let highest = request.highest_order.or(of_file).unwrap_or(HIGHEST_ORDER);
+    if !(1.0..=60.0).contains(&highest) {
+        return Err(EngineTorsionError::Order { got: highest });
+    }
+    let gas = ExcitingGas { is_on: !request.without_gas, speed_of_original };
+    let (excitation, gas) = engine_excitation(engine, traces, &crank, &speeds, highest, gas)?;
+    let sweep = sweep(&crank.chain, &excitation, &speeds)?;
+    Ok(Swept { crank, excitation, speeds, sweep, gas, notes })
+}
+
+/// So many speeds as a range is looked at [rad/s].
+pub(crate) fn speeds_between(low: f64, high: f64) -> Vec<f64> {
+    (0..TORSION_SPEEDS).map(|k| low + (high - low) * k as f64 / (TORSION_SPEEDS - 1) as f64).collect()
 }
 
 /// Torsional vibration of an engine; `traces` holds the files that [`crate::trace_names`] names.
@@ -72,23 +127,15 @@ pub fn torsion(
     request: &TorsionRequest,
 ) -> Result<TorsionResult, EngineTorsionError> {
     let engine = &file.engine;
-    let mut crank = engine_chain(file, &request.meshed.iter().map(MeshedThrow::taken).collect::<Vec<_>>())?;
-    let mut notes = std::mem::take(&mut crank.notes);
-    let speeds = speeds(engine, request, &mut notes)?;
+    let Swept { crank, excitation, speeds, sweep: swept, gas, mut notes } =
+        swept(engine, driveline(file), traces, request, 1.0)?;
     let design = engine.torsion.clone().unwrap_or_default();
-    let highest = request.highest_order.or(design.highest_order).unwrap_or(HIGHEST_ORDER);
-    if !(1.0..=60.0).contains(&highest) {
-        return Err(EngineTorsionError::Order { got: highest });
-    }
-    let (excitation, gas) =
-        engine_excitation(engine, traces, &crank, &speeds, highest, !request.without_gas)?;
     if gas.is_none() {
         notes.push("no gas acts: the torques are those of the moving masses alone".to_owned());
     }
     let chain = &crank.chain;
     let last = speeds.last().copied().unwrap_or(1.0);
     let own_modes = modes(chain, last)?;
-    let swept = sweep(chain, &excitation, &speeds)?;
     let firings: Option<Vec<(usize, f64)>> = engine
         .cylinders
         .iter()
@@ -172,7 +219,7 @@ fn speeds(
         low = 0.4 * high;
         notes.push("the file gives one speed: computed is from 40 % of it on".to_owned());
     }
-    Ok((0..TORSION_SPEEDS).map(|k| low + (high - low) * k as f64 / (TORSION_SPEEDS - 1) as f64).collect())
+    Ok(speeds_between(low, high))
 }
 
 fn tuned(

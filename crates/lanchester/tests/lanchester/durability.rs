@@ -5,16 +5,18 @@ use lanchester::file::EngineFile;
 use lanchester::film::BearingKind;
 use lanchester::mechanism::BearingRequest;
 use lanchester::model::Engine;
+use lanchester::report::CrankRule;
 use lanchester::task::{
     AtLeast, CrankWeightPlaces, DurabilityCriterion, DurabilityMeter, DurabilityWish, Measured,
     crank_weights, default_task,
 };
 use lanchester::{
     DurabilityRequest, DurableOptions, EngineDurability, FilmMethod, RuleRequest, bearing_films,
-    bearing_report, crank_rule, durable_balance, optimise_on_webs,
+    bearing_report, crank_rule, crank_rule_with_torsion, durable_balance, optimise_on_webs,
 };
 
 const FOUR: &str = include_str!("../../../../examples/in-line-4-crank-by-elements.toml");
+const SIX: &str = include_str!("../../../../examples/in-line-6-torsion.toml");
 /// Half the top speed, so that a test run without optimisation is short too.
 const SPEED: f64 = 340.0;
 
@@ -57,6 +59,66 @@ fn films_and_safeties_are_those_of_their_own_commands() {
         value(&engine, at(SPEED), DurabilityCriterion::RuleSafety(None)),
         safeties.fold(f64::INFINITY, f64::min)
     );
+}
+
+/// With what the crankshaft drives the safety is the smallest of the sheet that the file's own command gives, resonances between the speeds included; without it, or
+/// without a chain, it says that torsional vibration is left out.
+#[test]
+fn torsional_vibration_counts_where_the_engine_has_a_chain() {
+    let file = lanchester::file::read(SIX).file.expect("no mistakes");
+    let driveline = file.tasks.simulation.as_ref().unwrap().driveline.clone();
+    assert!(!driveline.is_empty());
+    let measured = |engine: &Engine, driveline| {
+        let request = DurabilityRequest { driveline, ..DurabilityRequest::default() };
+        EngineDurability::new(Ok(&[]), request)
+            .measure(engine, &[DurabilityCriterion::RuleSafety(None)])
+            .remove(0)
+    };
+    let smallest = |sheet: &CrankRule| {
+        let safeties = sheet.speeds.iter().flat_map(|speed| &speed.throws).flat_map(|throw| throw.safeties());
+        safeties.map(|one| one.1).fold(f64::INFINITY, f64::min)
+    };
+    let left_out = |measured: &Measured| match measured {
+        Measured::Known { left_out, .. } => left_out.clone(),
+        Measured::Unknown(why) => panic!("{why:?}"),
+    };
+    // A ring without its oil: the sixth order is in resonance below the highest speed.
+    let weak = file.engine.with(|parts| {
+        let damper = parts.torsion.as_mut().unwrap().damper.as_mut().unwrap();
+        damper.damping *= 0.02;
+    });
+    for engine in [file.engine.clone(), weak.unwrap()] {
+        let file = EngineFile { engine, ..file.clone() };
+        let with = crank_rule_with_torsion(&file, &[], &RuleRequest::default()).unwrap();
+        let found = measured(&file.engine, Some(driveline.clone()));
+        assert_eq!(found.value(), Some(smallest(&with)));
+        assert_eq!(left_out(&found), "");
+        let without = measured(&file.engine, None);
+        assert_eq!(
+            without.value(),
+            Some(smallest(&crank_rule(&file.engine, &[], &RuleRequest::default()).unwrap()))
+        );
+        assert_eq!(left_out(&without), "torsional vibration");
+        assert!(found.value() < without.value());
+    }
+    let chainless = file.engine.with(|parts| parts.flywheel = None).unwrap();
+    let reason = left_out(&measured(&chainless, Some(Vec::new())));
+    assert!(reason.starts_with("torsional vibration: ") && reason.contains("[flywheel]"), "{reason}");
+}
+
+/// An engine half as large again at the same piston speed has the same stresses, of torsional vibration too, so that its safety changes by the rule's strength alone, as it
+/// does without vibration.
+#[test]
+fn similar_engines_vibrate_alike() {
+    let file = lanchester::file::read(SIX).file.expect("no mistakes");
+    let safety = |length: f64, driveline: Option<Vec<_>>| {
+        let request = DurabilityRequest { length, driveline, ..at(270.0) };
+        value(&file.engine, request, DurabilityCriterion::RuleSafety(Some(0)))
+    };
+    let driveline = || Some(file.tasks.simulation.as_ref().unwrap().driveline.clone());
+    let (with, without) =
+        (safety(1.5, driveline()) / safety(1.0, driveline()), safety(1.5, None) / safety(1.0, None));
+    assert!(with < 1.0 && (with / without - 1.0).abs() < 0.01, "{with} {without}");
 }
 
 #[test]

@@ -255,7 +255,7 @@ pub fn layout_search_words(answer: &ExploreAnswer) -> String {
     out + &unmeasured_words(answer)
 }
 
-/// Why films and safeties of the first layout that lacks one are not known.
+/// Why films and safeties of the first layout that lacks one are not known, and what those that are known leave out.
 fn unmeasured_words(answer: &ExploreAnswer) -> String {
     let mut out = String::new();
     for (place, criterion) in answer.durability.iter().enumerate() {
@@ -265,6 +265,13 @@ fn unmeasured_words(answer: &ExploreAnswer) -> String {
         });
         if let Some((number, why)) = unknown {
             out += &format!("No {} of layout {number}: {}; {}.\n", criterion.title(), why.reason, why.remedy);
+        }
+        let left_out = answer.front.iter().find_map(|found| match found.durability.get(place) {
+            Some(Measured::Known { left_out, .. }) if !left_out.is_empty() => Some(left_out),
+            _ => None,
+        });
+        if let Some(left_out) = left_out {
+            out += &format!("The {} of layouts leaves out {left_out}.\n", criterion.title());
         }
     }
     out

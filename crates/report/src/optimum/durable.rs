@@ -43,9 +43,20 @@ pub fn durability_table(durable: &Durable) -> Table {
     }
     columns.push(words("smallest at", rows.iter().map(|row| place(&row.after))));
     let note = "Smallest over the cycle and the speeds that are judged: films quasi-static, by tables, under the loads of gas and inertia; safety \
-                after UR M53 of fillets and oil bores, without torsional vibration. Weights on a crankshaft change neither the film of a crankpin nor the safety after UR M53, which leaves mean \
-                stresses out.";
-    Table::of_columns("durability", "Films and safeties", note, columns)
+                after UR M53 of fillets and oil bores, with the torsional vibration of the engine's chain. Weights on a crankshaft do not change the film of a crankpin, and \
+                the safety after UR M53, which leaves mean stresses out, by their inertia alone.";
+    let left_out = rows.iter().find_map(|row| match &row.after {
+        Measured::Known { left_out, .. } if !left_out.is_empty() => {
+            Some(format!(" {} leaves out {left_out}.", row.name))
+        }
+        _ => None,
+    });
+    Table::of_columns(
+        "durability",
+        "Films and safeties",
+        note.to_owned() + &left_out.unwrap_or_default(),
+        columns,
+    )
 }
 
 /// Which weights are told and written where a search moved them; empty where none did.

@@ -53,7 +53,7 @@ fn crank_table(comparison: &Comparison) -> Option<Table> {
                 under what turns with it. Balance rate: share of the rotating unbalance between two main bearings that the \
                 counterweights there answer. Films: the smallest of any main or big-end bearing over the cycle, at the lowest speed and at \
                 that of the comparison, quasi-static; safety UR M53: the smallest of any fillet or oil bore by the formulas after the rule, \
-                without torsional vibration, which the sheet of one engine counts where the file has its torsional chain; counterweights do not change it.";
+                with the torsional vibration of the engine's chain where its file gives one.";
     let columns = numbered(comparison).into_iter().chain(of_crank).collect();
     Some(Table::of_columns("crank", "Inside the crankshaft", note, columns))
 }
@@ -76,9 +76,9 @@ fn crank_columns(comparison: &Comparison) -> Vec<(Column, Vec<Cell>)> {
     columns
 }
 
-/// Why films and safeties of some engines are not known, and what would give them; empty where all are.
+/// Why films and safeties of some engines are not known, and what would give them; what others leave out. Empty where all are known whole.
 pub fn unmeasured_words(comparison: &Comparison) -> Vec<String> {
-    let mut lines: Vec<(String, Vec<&'static str>, Vec<usize>)> = Vec::new();
+    let mut lines: Vec<Line> = Vec::new();
     for (index, engine) in comparison.engines.iter().enumerate() {
         let all = [
             ("main-bearing film", Some(&engine.main_film)),
@@ -87,25 +87,44 @@ pub fn unmeasured_words(comparison: &Comparison) -> Vec<String> {
             ("fillet safety", engine.fillet_safety.as_ref()),
         ];
         for (name, measured) in all {
-            let Some(Measured::Unknown(why)) = measured else { continue };
-            let words = format!("{}; {}", why.reason, why.remedy);
-            match lines.iter_mut().find(|line| line.0 == words) {
-                Some((_, names, engines)) => {
-                    if !names.contains(&name) {
-                        names.push(name);
-                    }
-                    if !engines.contains(&(index + 1)) {
-                        engines.push(index + 1);
-                    }
-                }
-                None => lines.push((words, vec![name], vec![index + 1])),
+            let (is_known, words) = match measured {
+                Some(Measured::Unknown(why)) => (false, format!("{}; {}", why.reason, why.remedy)),
+                Some(Measured::Known { left_out, .. }) if !left_out.is_empty() => (true, left_out.clone()),
+                _ => continue,
+            };
+            let place = lines.iter().position(|line| line.is_known == is_known && line.words == words);
+            let place = place.unwrap_or_else(|| {
+                lines.push(Line { is_known, words, names: Vec::new(), engines: Vec::new() });
+                lines.len() - 1
+            });
+            let line = &mut lines[place];
+            if !line.names.contains(&name) {
+                line.names.push(name);
+            }
+            if !line.engines.contains(&(index + 1)) {
+                line.engines.push(index + 1);
             }
         }
     }
-    let line = |(words, names, engines): (String, Vec<&str>, Vec<usize>)| {
-        format!("No {} of no. {}: {words}", names.join(", "), number::list(&engines))
-    };
-    lines.into_iter().map(line).collect()
+    lines.iter().map(Line::text).collect()
+}
+
+/// What is to be said of some criteria of some engines.
+struct Line {
+    is_known: bool,
+    words: String,
+    names: Vec<&'static str>,
+    engines: Vec<usize>,
+}
+
+impl Line {
+    fn text(&self) -> String {
+        let (names, engines) = (self.names.join(", "), number::list(&self.engines));
+        match self.is_known {
+            true => format!("The {names} of no. {engines} leaves out {}", self.words),
+            false => format!("No {names} of no. {engines}: {}", self.words),
+        }
+    }
 }
 
 /// A column that not every engine has; `None` where none has it.
@@ -488,13 +507,18 @@ mod tests {
     #[test]
     fn what_is_not_known_is_told_once_with_what_gives_it() {
         let mut comparison = comparison();
-        comparison.engines[1].rule_safety =
-            Measured::Known { value: 1.4, place: "pin 1 at web 1".into(), speed: 600.0 };
+        comparison.engines[1].rule_safety = Measured::Known {
+            value: 1.4,
+            place: "pin 1 at web 1".into(),
+            speed: 600.0,
+            left_out: "torsional vibration: no flywheel".into(),
+        };
         let lines = unmeasured_words(&comparison);
         assert_eq!(
             lines,
             [
-                "No main-bearing film, crankpin film, safety after UR M53 of no. 1–3: the oil is not given; give viscosity"
+                "No main-bearing film, crankpin film, safety after UR M53 of no. 1–3: the oil is not given; give viscosity",
+                "The safety after UR M53 of no. 2 leaves out torsional vibration: no flywheel",
             ]
         );
         let text = comparison_text(&comparison);

@@ -219,7 +219,8 @@ mod tests {
 
     #[test]
     fn of_films_the_thickest_comes_first() {
-        let film = |value| Measured::Known { value, place: String::new(), speed: 1.0 };
+        let film =
+            |value| Measured::Known { value, place: String::new(), speed: 1.0, left_out: String::new() };
         let mut engines = [engine(1.0, None), engine(1.0, None), engine(1.0, None)];
         for (engine, value) in engines.iter_mut().zip([2e-6, 5e-6, 2e-6]) {
             engine.main_film = film(value);

@@ -17,8 +17,12 @@ fn film(engine: &Engine) -> f64 {
 
 impl DurabilityMeter for ByAngle {
     fn measure(&self, engine: &Engine, criteria: &[DurabilityCriterion]) -> Vec<Measured> {
-        let known =
-            Measured::Known { value: film(engine), place: String::new(), speed: engine.speed.highest };
+        let known = Measured::Known {
+            value: film(engine),
+            place: String::new(),
+            speed: engine.speed.highest,
+            left_out: String::new(),
+        };
         vec![known; criteria.len()]
     }
 }
