@@ -389,14 +389,19 @@ test(
     const values = await readFile(join(studio.folder, "atlas", "twin-thesis-figure-18.csv"), "utf8");
     expect(values.split("\n").length).toBeGreaterThan(300);
 
-    await run(PROGRAM, ["validate", "--suite", "suite.json"], { cwd: studio.folder });
-    const { stdout } = await run("python3", [resolve("../../../validation/example.py"), "suite.json"], {
-      cwd: studio.folder,
-    });
-    const [computed, all, agree] = (
-      /(\d+) of (\d+) rows computed, (\d+) agree/.exec(stdout)?.slice(1) ?? []
-    ).map(Number);
+    // Every row that the example recomputes is in these. What it does not know, finite elements above all, takes minutes.
+    let [computed, all, agree] = [0, 0, 0];
+    for (const part of ["thesis", "flexible-paper Text"]) {
+      await run(PROGRAM, ["validate", part, "--suite", "suite.json"], { cwd: studio.folder });
+      const { stdout } = await run("python3", [resolve("../../../validation/example.py"), "suite.json"], {
+        cwd: studio.folder,
+      });
+      const counts = /(\d+) of (\d+) rows computed, (\d+) agree/.exec(stdout)?.slice(1).map(Number) ?? [];
+      computed += counts[0] ?? NaN;
+      all += counts[1] ?? NaN;
+      agree += counts[2] ?? NaN;
+    }
     expect(agree).toBe(computed);
-    expect(computed).toBeGreaterThan(0.66 * (all ?? NaN));
+    expect(computed).toBeGreaterThan(0.71 * all);
   },
 );
