@@ -143,8 +143,12 @@ pub struct SuiteRow {
 
 /// The whole suite, or the rows of the sources and tables that `filter` names, as in [`crate::validate`].
 pub fn suite(filter: Option<&str>) -> Suite {
-    let mut writer =
-        Writer { bench: Bench::default(), engines: Named::new("engine"), sheets: Named::new("sheet") };
+    suite_on(&mut Bench::default(), filter)
+}
+
+/// With what the bench has computed already.
+pub(crate) fn suite_on(bench: &mut Bench, filter: Option<&str>) -> Suite {
+    let mut writer = Writer { bench, engines: Named::new("engine"), sheets: Named::new("sheet") };
     let mut rows: Vec<SuiteRow> = Vec::new();
     let mut named = Vec::new();
     for source in sources() {
@@ -214,17 +218,17 @@ impl<T: Serialize> Named<T> {
 }
 
 /// Writes rows, with what they name.
-struct Writer {
-    bench: Bench,
+struct Writer<'a> {
+    bench: &'a mut Bench,
     engines: Named<Engine>,
     sheets: Named<Sheet>,
 }
 
-impl Writer {
+impl Writer<'_> {
     fn row(&mut self, at: &CellAt) -> SuiteRow {
         let CellAt { place, engine, cell, column } = at;
         let (source, table, row) = (place.source, place.table, place.row);
-        let result = validate_cell(&mut self.bench, place, engine, cell);
+        let result = validate_cell(self.bench, place, engine, cell);
         let motion = row.kinematics.unwrap_or(source.kinematics);
         let edits = [*engine, place.column_edits, &row.with].concat();
         let about = row.about.as_deref();

@@ -124,6 +124,21 @@ fn the_page_of_the_book_is_fresh() {
 }
 
 #[test]
+fn the_suite_has_every_number() {
+    let validation = whole();
+    let suite = crate::suite::suite_on(&mut bench(), None);
+    assert_eq!(suite.sources.len(), validation.sources.len());
+    assert_eq!(suite.rows.len(), validation.counts.rows);
+    let rows = validation.sources.iter().flat_map(|s| &s.tables).flat_map(|t| &t.rows);
+    for (row, own) in rows.zip(&suite.rows) {
+        assert_eq!((&row.printed, row.verdict), (&own.printed.text, own.verdict), "{}", own.id);
+        assert_eq!(row.value, own.ours, "{}", own.id);
+        assert!(own.engine.iter().all(|name| suite.engines.contains_key(name)), "{}", own.id);
+        assert!(own.sheet.iter().all(|name| suite.sheets.contains_key(name)), "{}", own.id);
+    }
+}
+
+#[test]
 fn every_row_is_as_expected_unless_it_is_changed() {
     assert!(changed(|_| {}).iter().all(|r| r.ok));
 }
