@@ -21,7 +21,11 @@ function watched(page: Page) {
   page.on("requestfinished", change(-1));
   page.on("requestfailed", change(-1));
   return async function answered() {
-    await expect.poll(() => open === 0 && Date.now() - last > 250, { timeout: 30_000 }).toBe(true);
+    // What was just done may ask in a moment.
+    last = Date.now();
+    await expect
+      .poll(() => open === 0 && Date.now() - last > 250, { timeout: 30_000, intervals: [50] })
+      .toBe(true);
   };
 }
 
