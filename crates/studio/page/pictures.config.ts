@@ -6,6 +6,7 @@ export default defineConfig({
   ...tests,
   testDir: "pictures",
   outputDir: "test-results/pictures",
+  fullyParallel: false,
   timeout: 300_000,
   expect: { timeout: 60_000 },
   use: { ...tests.use, screenshot: "off" },

@@ -10,7 +10,9 @@ export default defineConfig({
   testIgnore: /web\.spec/,
   outputDir: "test-results",
   reporter: "line",
+  // Each test for itself: no file is left to one worker at the end.
   workers: 2,
+  fullyParallel: true,
   retries: 0,
   timeout: 60_000,
   expect: { timeout: 10_000 },
