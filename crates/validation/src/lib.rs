@@ -58,6 +58,7 @@ use case::{Bench, sheet};
 use files::Source;
 use inputs::{corners, is_input};
 use quantity::Key;
+use rayon::prelude::*;
 use source::{Cell, Column, Comparison, Edit, KinematicsName, Over, Row, Table};
 use value::{Ours, Value};
 use verdict::Printed;
@@ -68,31 +69,38 @@ use verdict::Printed;
 /// lower case alike; a filter that ends in a digit does not keep a longer number (Table 40, Table 4.2). A filter that keeps nothing gives
 /// no rows, and a validation without rows has not passed.
 pub fn validate(filter: Option<&str>) -> Validation {
-    validate_on(&mut Bench::default(), filter)
+    // Sources share no engines.
+    let sources = files::sources();
+    gathered(
+        sources
+            .into_par_iter()
+            .map(|source| validate_source(&mut Bench::default(), &source, filter))
+            .collect(),
+    )
 }
 
 /// With what the bench has computed already.
+#[cfg(test)]
 fn validate_on(bench: &mut Bench, filter: Option<&str>) -> Validation {
-    let sources: Vec<SourceResult> = files::sources()
-        .into_iter()
-        .filter_map(|source| {
-            let tables: Vec<TableResult> = source
-                .tables
-                .iter()
-                .filter(|table| filter.is_none_or(|f| keeps(f, &format!("{} {}", source.key, table.table))))
-                .map(|table| validate_table(bench, &source, table))
-                .collect();
-            (!tables.is_empty()).then(|| SourceResult {
-                key: source.key.clone(),
-                title: source.title.clone(),
-                citation: source.citation.clone(),
-                tables,
-                deferred: source.deferred.clone(),
-            })
-        })
-        .collect();
+    gathered(files::sources().iter().map(|source| validate_source(bench, source, filter)).collect())
+}
+
+fn gathered(sources: Vec<SourceResult>) -> Validation {
+    let sources: Vec<SourceResult> = sources.into_iter().filter(|source| !source.tables.is_empty()).collect();
     let counts = Counts::of(sources.iter().flat_map(|source| &source.tables).flat_map(|table| &table.rows));
     Validation { version: VALIDATION_VERSION, counts, sources }
+}
+
+/// The tables of a source that the filter keeps.
+fn validate_source(bench: &mut Bench, source: &Source, filter: Option<&str>) -> SourceResult {
+    let kept = |table: &&Table| filter.is_none_or(|f| keeps(f, &format!("{} {}", source.key, table.table)));
+    SourceResult {
+        key: source.key.clone(),
+        title: source.title.clone(),
+        citation: source.citation.clone(),
+        tables: source.tables.iter().filter(kept).map(|table| validate_table(bench, source, table)).collect(),
+        deferred: source.deferred.clone(),
+    }
 }
 
 fn keeps(filter: &str, name: &str) -> bool {

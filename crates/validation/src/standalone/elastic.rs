@@ -6,6 +6,7 @@
 //! | `elastic cylinder pressed`, `elastic cylinder turning` | hoop stress at the bore of a long cylinder: 20 and 50 mm, 40 MPa within; 20 and 100 mm, 1000 rad/s [Pa] |
 //! | `elastic bar torsion N` | N-th torsional frequency of a free round bar of 400 mm, 40 mm in diameter [Hz] |
 //! | `elastic shoulder bending N`, `elastic shoulder torsion N` | von Mises stress over the nominal one in the fillet of a stepped shaft with N elements across the fillet |
+//! | `elastic shoulder bending N limit`, `elastic shoulder torsion N limit` | what it tends to by N elements and half as many, N a multiple of 4 |
 
 use lanchester::flex::FlexError;
 use lanchester::flex::case::StaticCase;
@@ -16,7 +17,8 @@ use lanchester::flex::known_bodies::{
     torsional_frequencies,
 };
 use lanchester::flex::statics::{SolveOptions, solve_static};
-use std::sync::OnceLock;
+use std::collections::BTreeMap;
+use std::sync::{Mutex, OnceLock, PoisonError};
 
 /// Elements across, around and through the plate, for each N.
 const PLATE: [usize; 3] = [4, 6, 2];
@@ -67,11 +69,23 @@ const RADIUS: f64 = 1e-6;
 /// A number of an elastic body.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum ElasticKey {
-    Plate { fineness: usize },
+    Plate {
+        fineness: usize,
+    },
     Pressed,
     Turning,
-    Bar { mode: usize },
-    Shoulder { torsion: bool, elements: usize },
+    Bar {
+        mode: usize,
+    },
+    Shoulder {
+        torsion: bool,
+        elements: usize,
+    },
+    /// What meshes of so many elements and of half as many tend to.
+    ShoulderLimit {
+        torsion: bool,
+        elements: usize,
+    },
 }
 
 impl ElasticKey {
@@ -84,9 +98,16 @@ impl ElasticKey {
             ["cylinder", "pressed"] => Some(ElasticKey::Pressed),
             ["cylinder", "turning"] => Some(ElasticKey::Turning),
             ["bar", "torsion", mode] => Some(ElasticKey::Bar { mode: number(mode, 3)? }),
-            ["shoulder", load @ ("bending" | "torsion"), elements] => {
+            ["shoulder", load @ ("bending" | "torsion"), elements, ref rest @ ..] => {
                 let elements = number(elements, 12).filter(|own: &usize| own.is_multiple_of(2))?;
-                Some(ElasticKey::Shoulder { torsion: load == "torsion", elements })
+                let torsion = load == "torsion";
+                match *rest {
+                    [] => Some(ElasticKey::Shoulder { torsion, elements }),
+                    ["limit"] if elements.is_multiple_of(4) => {
+                        Some(ElasticKey::ShoulderLimit { torsion, elements })
+                    }
+                    _ => None,
+                }
             }
             _ => None,
         }
@@ -113,6 +134,11 @@ impl ElasticKey {
                     .ok_or_else(|| format!("{} torsional modes", found.len()));
             }
             ElasticKey::Shoulder { torsion, elements } => return shoulder(torsion, elements),
+            ElasticKey::ShoulderLimit { torsion, elements } => {
+                // Stress of quadratic elements errs with the square of their size.
+                let [coarse, fine] = [shoulder(torsion, elements / 2)?, shoulder(torsion, elements)?];
+                return Ok((4.0 * fine - coarse) / 3.0);
+            }
         };
         found.map_err(|error| error.to_string())
     }
@@ -127,15 +153,24 @@ fn cylinder(
     Ok(hoop_stress(&mesh, &solution.displacements, sizes[0]))
 }
 
+/// Bending and torsion with so many elements across the fillet are of one mesh and its factor.
 fn shoulder(torsion: bool, fillet_elements: usize) -> Result<f64, String> {
+    type Factors = Result<[Vec<f64>; 2], String>;
+    static FACTORS: Mutex<BTreeMap<usize, Factors>> = Mutex::new(BTreeMap::new());
+    let mut known = FACTORS.lock().unwrap_or_else(PoisonError::into_inner);
+    let found = known.entry(fillet_elements).or_insert_with(|| shoulders(fillet_elements));
+    let found = found.as_ref().map_err(Clone::clone)?;
+    found[usize::from(torsion)].first().copied().ok_or_else(|| "the shaft has no fillet".to_owned())
+}
+
+fn shoulders(fillet_elements: usize) -> Result<[Vec<f64>; 2], String> {
     let reading = lanchester::file::read(SHAFT);
     let engine = reading.engine().ok_or("the shaft cannot be read")?;
     let engine =
         engine.with(|parts| parts.throws[0].radius = RADIUS).map_err(|_| "the shaft has no throw")?;
     let options = CrankMeshOptions { size: SIZE, fillet_elements, fillets: true };
     let found = crank_mesh(&engine, 0, options).and_then(|shaft| shoulder_factors(&shaft, DIAMETER));
-    let found = found.map_err(|error| error.to_string())?;
-    found[usize::from(torsion)].first().copied().ok_or_else(|| "the shaft has no fillet".to_owned())
+    found.map_err(|error| error.to_string())
 }
 
 #[cfg(test)]
@@ -147,9 +182,15 @@ mod tests {
         assert_eq!(ElasticKey::parse("elastic bar torsion 2"), Some(ElasticKey::Bar { mode: 2 }));
         let shoulder = ElasticKey::Shoulder { torsion: false, elements: 4 };
         assert_eq!(ElasticKey::parse("elastic shoulder bending 4"), Some(shoulder));
-        for name in
-            ["elastic", "elastic bar torsion 4", "elastic shoulder bending 3", "elastic shoulder pull 4"]
-        {
+        let limit = ElasticKey::ShoulderLimit { torsion: true, elements: 8 };
+        assert_eq!(ElasticKey::parse("elastic shoulder torsion 8 limit"), Some(limit));
+        for name in [
+            "elastic",
+            "elastic bar torsion 4",
+            "elastic shoulder bending 3",
+            "elastic shoulder pull 4",
+            "elastic shoulder bending 6 limit",
+        ] {
             assert_eq!(ElasticKey::parse(name), None, "{name}");
         }
     }
