@@ -11,6 +11,9 @@ const STEEL: f64 = 7850.0;
 /// Density of cast iron with nodular graphite [kg/m3].
 const IRON: f64 = 7200.0;
 
+/// Radius of a fillet over the diameter of its pin or journal.
+const FILLET: f64 = 0.06;
+
 /// Radius of the end of a web over the diameter of its pin, the usual one first.
 const ENDS: [f64; 5] = [0.7, 0.64, 0.8, 0.9, 1.0];
 
@@ -129,8 +132,8 @@ impl From<'_> {
                 list(&body.end_journals.map(mm)),
                 "twice from the face of the web to the middle of the bearing, at least 0.3 journal",
             )
-            .line("pin_fillet", mm(0.05 * body.pin_diameter), "0.05 pin")
-            .line("journal_fillet", mm(0.05 * body.journal_diameter), "0.05 journal");
+            .line("pin_fillet", mm(FILLET * body.pin_diameter), &format!("{FILLET} pin"))
+            .line("journal_fillet", mm(FILLET * body.journal_diameter), &format!("{FILLET} journal"));
         Found::Blocks(vec![block])
     }
 

@@ -144,7 +144,7 @@ impl EngineKind {
             bounce: 9.0,
             viscosity: 0.010,
             friction: 0.4e5,
-            material: "C45 quenched and tempered",
+            material: "38MnVS6 precipitation hardened",
         };
         const FORGED: &str = "42CrMo4 quenched and tempered";
         match self {

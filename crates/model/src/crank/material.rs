@@ -77,6 +77,9 @@ pub enum MaterialPreset {
     /// EN ISO 683-1, 1.1191.
     #[serde(rename = "C45 quenched and tempered")]
     Carbon,
+    /// EN 10267, 1.1303, cooled from forging without further treatment (least values).
+    #[serde(rename = "38MnVS6 precipitation hardened")]
+    Microalloyed,
     /// EN 1563, 5.3301 (GGG-70).
     #[serde(rename = "EN-GJS-700-2")]
     DuctileIron,
@@ -84,8 +87,13 @@ pub enum MaterialPreset {
 
 impl MaterialPreset {
     /// All of them.
-    pub const ALL: [MaterialPreset; 4] =
-        [MaterialPreset::Crmo, MaterialPreset::Crnimo, MaterialPreset::Carbon, MaterialPreset::DuctileIron];
+    pub const ALL: [MaterialPreset; 5] = [
+        MaterialPreset::Crmo,
+        MaterialPreset::Crnimo,
+        MaterialPreset::Carbon,
+        MaterialPreset::Microalloyed,
+        MaterialPreset::DuctileIron,
+    ];
 
     /// Its name in the file.
     pub fn name(self) -> &'static str {
@@ -93,6 +101,7 @@ impl MaterialPreset {
             MaterialPreset::Crmo => "42CrMo4 quenched and tempered",
             MaterialPreset::Crnimo => "34CrNiMo6 quenched and tempered",
             MaterialPreset::Carbon => "C45 quenched and tempered",
+            MaterialPreset::Microalloyed => "38MnVS6 precipitation hardened",
             MaterialPreset::DuctileIron => "EN-GJS-700-2",
         }
     }
@@ -111,6 +120,7 @@ impl MaterialPreset {
             MaterialPreset::Crmo => [900e6, 650e6],
             MaterialPreset::Crnimo => [1000e6, 800e6],
             MaterialPreset::Carbon => [630e6, 370e6],
+            MaterialPreset::Microalloyed => [800e6, 520e6],
             MaterialPreset::DuctileIron => [700e6, 420e6],
         }
     }

@@ -238,6 +238,7 @@ pub(super) static CRANK_MATERIAL: Table = Table {
                 "42CrMo4 quenched and tempered",
                 "34CrNiMo6 quenched and tempered",
                 "C45 quenched and tempered",
+                "38MnVS6 precipitation hardened",
                 "EN-GJS-700-2",
             ]),
             Optional,
