@@ -180,10 +180,9 @@ impl DurabilityCriterion {
         self.unit() == "m"
     }
 
-    /// Whether unbalances on the crankshaft change it: not the force of a rod on its pin, nor what follows from it alone; nor finite elements, which
-    /// see counterweights as parts.
+    /// Whether unbalances on the crankshaft change it: not the force of a rod on its pin, nor what follows from it alone, but that of their inertia on torsional vibration.
     pub fn depends_on_unbalances(self) -> bool {
-        matches!(self, DurabilityCriterion::LeastFilm | DurabilityCriterion::MainFilm(_))
+        !matches!(self, DurabilityCriterion::CrankpinFilm(_) | DurabilityCriterion::RuleSafety(_))
     }
 
     /// Reads a criterion of an engine, such as "least film", "main-bearing film 3" or "rule safety".

@@ -54,7 +54,8 @@ pub enum TorsionError {
     NoDamper,
     /// A periodic motion was not found.
     #[error(
-        "no periodic motion at {speed} rad/s: {why}\nhint: above a strong resonance the motion may have no period of one cycle; take another speed, or more damping"
+        "no periodic motion at {:.1} rpm: {why}\nhint: above a strong resonance the motion may have no period of one cycle; take another speed, or more damping",
+        .speed * 30.0 / std::f64::consts::PI
     )]
     NotPeriodic {
         /// Mean speed [rad/s].

@@ -229,7 +229,12 @@ impl Motion<'_> {
             }
             other => Err(TorsionError::NotPeriodic {
                 speed: self.speed,
-                why: format!("the integration ended with {other:?}"),
+                why: match other {
+                    Outcome::TooManyEvaluations { limit } => {
+                        format!("one period takes more than {limit} evaluations of the chain")
+                    }
+                    _ => "the motion left every bound".to_owned(),
+                },
             }),
         }
     }

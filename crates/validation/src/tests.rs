@@ -126,7 +126,7 @@ fn the_page_of_the_book_is_fresh() {
 #[test]
 fn the_suite_has_every_number() {
     let validation = whole();
-    let suite = crate::suite::suite_on(&mut bench(), None);
+    let suite = suite::suite_on(&mut bench(), None);
     assert_eq!(suite.sources.len(), validation.sources.len());
     assert_eq!(suite.rows.len(), validation.counts.rows);
     let rows = validation.sources.iter().flat_map(|s| &s.tables).flat_map(|t| &t.rows);

@@ -174,6 +174,11 @@ impl Durable {
         self.limits.iter().all(|limit| limit.is_met == Some(true))
     }
 
+    /// Whether what was asked to be large could be looked for.
+    pub fn is_searched(&self) -> bool {
+        !matches!(self.end, DurableEnd::NoWeights { .. } | DurableEnd::NotMeasured(_))
+    }
+
     /// The answer with these weights and what they do: its stages, with their proof, stay those of the optimum.
     pub fn answer(&self, answer: &Answer) -> Answer {
         let mut moved = answer.clone();

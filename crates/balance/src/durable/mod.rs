@@ -122,8 +122,7 @@ pub fn durable(
 }
 
 /// Why a search for what is named would be in vain.
-const UNCHANGED: &str = "no unbalance on a crankshaft changes it: films of crankpins and the formulas after UR M53 follow from the forces of the rods, and finite elements see \
-     counterweights as parts";
+const UNCHANGED: &str = "no unbalance on a crankshaft changes it: films of crankpins and the formulas after UR M53 follow from the forces of the rods";
 
 /// What is always told beside what is wanted.
 fn told_criteria(engine: &Engine, wanted: Vec<DurabilityCriterion>) -> Vec<DurabilityCriterion> {

@@ -20,7 +20,7 @@ use lanchester::balance::{Answer, Consequences, Durable, Outcome, fitted};
 use lanchester::model::Engine;
 use lanchester::report::{
     PartMass, Table, balance_brief, balance_text, consequence_figures, durability_table, durability_text,
-    headline, optimum_figures, part_masses_table,
+    durability_words, headline, optimum_figures, part_masses_table,
 };
 use lanchester::task::{BalanceTask, Tasks};
 use lanchester::{WeightAsPart, durable_balance, optimise_on_webs, weights_as_parts};
@@ -118,7 +118,10 @@ pub fn run(arguments: &BalanceArguments, colour: bool) -> Result<u8, Failure> {
     };
     let shown = durable.as_ref().map_or_else(|| answer.clone(), |found| found.answer(&answer));
     let status = match &durable {
-        Some(durable) if !durable.is_met() => NOT_AS_EXPECTED,
+        Some(durable) if !durable.is_met() || !durable.is_searched() => {
+            eprintln!("{}", durability_words(durable));
+            NOT_AS_EXPECTED
+        }
         _ => status(&answer),
     };
     let loads_after = loads_of(&after)?;

@@ -34,7 +34,7 @@ pub fn run(arguments: &BearingsArguments, colour: bool) -> Result<u8, Failure> {
     let speed = arguments.speed.as_deref().map(|text| option::speed(text, "--speed").map_err(Failure::from));
     let speed = speed.transpose()?;
     let wanted = match &arguments.least_film {
-        Some(text) => Some(option::length(text, "--least-film")?),
+        Some(text) => Some(wanted_film(text)?),
         None => None,
     };
     let opened = open(&arguments.file, colour)?;
@@ -227,4 +227,19 @@ fn model_of(option: FilmOption) -> Cavitation {
         FilmOption::Reynolds => Cavitation::Reynolds,
         FilmOption::MassConserving => Cavitation::MassConserving,
     }
+}
+
+/// A least film that is wanted [m].
+///
+/// # Errors
+/// A text that is no length, or one that every film keeps.
+pub(super) fn wanted_film(text: &str) -> Result<f64, Failure> {
+    let wanted = option::length(text, "--least-film")?;
+    if wanted > 0.0 {
+        return Ok(wanted);
+    }
+    Err(Failure::input(
+        format_args!("--least-film needs a thickness above 0, got \"{text}\""),
+        "for example --least-film '1 um'",
+    ))
 }

@@ -24,7 +24,7 @@ pub struct TorsionArguments {
     #[arg(long, value_enum, value_name = "WHAT")]
     pub tune: Option<TuneOption>,
     /// What the best setting is to keep small.
-    #[arg(long, value_enum, default_value_t = AimOption::Twist)]
+    #[arg(long, value_enum, default_value_t = AimOption::Twist, requires = "tune")]
     pub aim: AimOption,
     /// Check the sum of orders in the time domain at this speed, with the inertia of rods and pistons as it varies.
     #[arg(long, value_name = "SPEED")]

@@ -18,10 +18,16 @@ const FASTEST: f64 = 60_000.0 * std::f64::consts::PI / 30.0;
 const BORE_OVER_STROKE: [f64; 2] = [0.2, 5.0];
 /// Longest rod over crank radius of built engines is about 8.
 const LARGEST_ROD_OVER_RADIUS: f64 = 25.0;
-/// Diametral clearance over the diameter of plain bearings is about 1e-3; beyond this a film is refused.
-const CLEARANCE_OVER_DIAMETER: [f64; 2] = [1e-4, 1e-2];
+/// Diametral clearance over the diameter of plain bearings is about 1e-3; far beyond this a film is refused.
+const CLEARANCE_OVER_DIAMETER: [f64; 2] = [2e-4, 5e-3];
 /// From hot oil thinned by fuel to the thickest with which an engine is cranked in the cold [Pa s].
 const VISCOSITIES: [f64; 2] = [5e-4, 9.5];
+
+/// The most that an oil supply and journals have, and what is usual.
+const OIL: [(&str, f64, Dimension, &str); 2] = [
+    ("supply_pressure", 30e5, Dimension::Pressure, "oil is supplied at 2 to 6 bar"),
+    ("roughness", 10e-6, Dimension::Length, "journal and shell together have 0.2 to 2 um"),
+];
 
 impl<'a> Reader<'a> {
     pub(super) fn check_sizes(&mut self, drafts: &Drafts<'a>) {
@@ -99,6 +105,22 @@ impl<'a> Reader<'a> {
                     .hint("hot engine oil has 3 to 50 mPa s: check the number and its unit"),
             );
         }
+        for (key, most, dimension, usual) in OIL {
+            let Field::Given(film) = section.table("film") else { break };
+            let Field::Given(own) = film.value.number(key) else { continue };
+            if own.value > most {
+                let (name, shown) = (key.replace('_', " "), lanchester_units::readable(own.value, dimension));
+                self.mistakes.push(
+                    Mistake::warning(
+                        "W1301",
+                        own.span,
+                        format!("no bearing of an engine has a {name} of {shown}"),
+                    )
+                    .label("suspicious number")
+                    .hint(format!("{usual}: check the number and its unit")),
+                );
+            }
+        }
         let sizes = parts.bearings.as_ref();
         let body = parts.crank_body.as_ref();
         for (key, given, by_body) in [
@@ -111,7 +133,20 @@ impl<'a> Reader<'a> {
                 continue;
             };
             let each = table.value.tables("each").given().unwrap_or(&[]);
+            let room = if key == "main" { room_of_mains(parts) } else { room_of_pins(parts) };
             for own in std::iter::once(table.value).chain(each) {
+                if let (Field::Given(width), Some(room)) = (own.number("width"), room)
+                    && width.value > room * (1.0 + 1e-9)
+                {
+                    let [width_text, room] =
+                        [width.value, room].map(|value| lanchester_units::readable(value, Dimension::Length));
+                    let message = format!("a width of {width_text} is more than the {room} between webs");
+                    self.mistakes.push(
+                        Mistake::warning("W1301", width.span, message)
+                            .label("suspicious size")
+                            .hint("a bearing ends before the fillets of the webs beside it: check the number and its unit"),
+                    );
+                }
                 let Field::Given(clearance) = own.number("diametral_clearance") else { continue };
                 let ratio = clearance.value / diameter;
                 if (CLEARANCE_OVER_DIAMETER[0]..=CLEARANCE_OVER_DIAMETER[1]).contains(&ratio) {
@@ -139,4 +174,24 @@ impl<'a> Reader<'a> {
                 .hint(format!("check the number and its unit: is it meant in {unit}?")),
         );
     }
+}
+
+/// Longest room between the webs beside a main bearing [m]; `None` where the webs are not known.
+fn room_of_mains(parts: &EngineParts) -> Option<f64> {
+    let thickness = parts.crank_body.as_ref()?.web_thickness;
+    let mut webs: Vec<(usize, [f64; 2])> =
+        parts.throws.iter().filter_map(|throw| Some((throw.crankshaft, throw.webs?))).collect();
+    webs.sort_by(|a, b| a.1[0].total_cmp(&b.1[0]));
+    let pairs = webs.windows(2).filter(|pair| pair[0].0 == pair[1].0);
+    let rooms = pairs.map(|pair| pair[1].1[0] - pair[0].1[1] - thickness);
+    // Two throws without a main bearing between them share a web.
+    rooms.filter(|room| *room > 0.0).reduce(f64::max)
+}
+
+/// Longest room between the webs of a throw [m]; `None` where they are not known.
+fn room_of_pins(parts: &EngineParts) -> Option<f64> {
+    let thickness = parts.crank_body.as_ref()?.web_thickness;
+    let rooms =
+        parts.throws.iter().filter_map(|throw| throw.webs.map(|[front, rear]| rear - front - thickness));
+    rooms.filter(|room| *room > 0.0).reduce(f64::max)
 }

@@ -100,10 +100,10 @@ impl<'a> Reader<'a> {
         if got == 0 || got == needed {
             return Some(());
         }
-        let nose = if has_nose { "from the nose to the first throw, " } else { "" };
+        let nose = if has_nose { "from the nose to the first throw, one " } else { "" };
         let message = format!("`stiffness` has {got} entries, and the crankshaft has {needed} pieces");
         let hint = format!(
-            "give one {nose}one between each two neighbouring throws, and one from the last throw to the flywheel"
+            "give one {nose}between each two neighbouring throws, and one from the last throw to the flywheel"
         );
         self.mistakes.push(Mistake::error("E1901", section.value_span("stiffness"), message).hint(hint));
         None

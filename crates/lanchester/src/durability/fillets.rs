@@ -11,8 +11,8 @@ impl EngineDurability<'_> {
     pub(super) fn fillets(&self, engine: &Engine) -> Measured {
         if !self.request.finite_elements {
             return Measured::Unknown(Unmeasured {
-                reason: "the safety of fillets by finite elements is not computed here: it needs counterweights as parts, and seconds to minutes an engine".into(),
-                remedy: "judge by the formulas after UR M53, or compare engines whose weights are parts by finite elements".into(),
+                reason: "the safety of fillets by finite elements takes from seconds to minutes an engine, and is not computed for the hundreds of a search".into(),
+                remedy: "name `rule safety`, and judge the engine that is adopted by finite elements".into(),
             });
         }
         if self.request.length != 1.0 {

@@ -42,7 +42,7 @@ pub fn durability_table(durable: &Durable) -> Table {
         ));
     }
     columns.push(words("smallest at", rows.iter().map(|row| place(&row.after))));
-    let note = "Smallest over the cycle and the speeds that are judged: films quasi-static, by tables, under the loads of gas and inertia; safety \
+    let note = "Smallest over the cycle and the speeds that are judged: films quasi-static, by tables, under the loads of gas and inertia. Place and speed are those of the last number; at which speed others are smallest may differ. Safety \
                 after UR M53 of fillets and oil bores, with the torsional vibration of the engine's chain. Weights on a crankshaft do not change the film of a crankpin, and \
                 the safety after UR M53, which leaves mean stresses out, by their inertia alone.";
     let left_out = rows.iter().find_map(|row| match &row.after {

@@ -2,6 +2,7 @@
 
 use super::safety::{endures, is_safe, wanted_safety};
 use super::said::say;
+use crate::commands::bearings::wanted_film;
 use crate::commands::{json, open};
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
 use crate::figures::write_figures;
@@ -16,7 +17,6 @@ use crate::watch::is_due;
 use lanchester::report::{
     CrankCycle, CrankKind, CycleLaw, crank_cycle_figures, cycle_brief, cycle_csv, cycle_text,
 };
-use lanchester::task::option;
 use lanchester::{CycleStage, crank_cycle};
 use std::cell::RefCell;
 use std::time::Instant;
@@ -26,7 +26,7 @@ pub fn cycle(arguments: &CycleArguments, colour: bool) -> Result<u8, Failure> {
     let own = &arguments.mesh;
     let safety = wanted_safety(arguments.safety)?;
     let least_film = match &arguments.least_film {
-        Some(text) => Some(option::length(text, "--least-film")?),
+        Some(text) => Some(wanted_film(text)?),
         None => None,
     };
     let form = arguments.save.as_deref().map(table_file::form).transpose()?;
@@ -80,7 +80,15 @@ fn verdict(found: &CrankCycle, safety: Option<f64>, fatigue: Option<f64>, least_
         }
     }
     if let Some(wanted) = least_film {
+        let touching = found.touching_ends();
+        if let Some((name, _)) = &touching {
+            tell(format_args!(
+                "the least film is not known: at the ends of {name} the journal leans through its film"
+            ));
+            status = NOT_AS_EXPECTED;
+        }
         match found.least_film() {
+            _ if touching.is_some() => {}
             Some(film) if film >= wanted => {}
             Some(film) => {
                 tell(format_args!(

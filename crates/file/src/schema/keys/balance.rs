@@ -61,7 +61,7 @@ pub(super) static BALANCE: Table = Table {
             Kind::AtLeast,
             Optional,
             "Oil films and safeties that must not fall below a value: `least film` (of all main and big-end bearings over the cycle), \
-             `main-bearing film`, `main-bearing film 3`, `crankpin film 2`, `rule safety` (UR M53), `fillet safety` (finite elements). The optimum \
+             `main-bearing film`, `main-bearing film 3`, `crankpin film 2`, `rule safety` (UR M53). The optimum \
              of `minimise` is found and proved first; where it does not hold one of these, a local search moves its weights, without a global optimum.",
             "{ \"main-bearing film\" = \"2 um\", \"rule safety\" = 1.3 }",
         ),

@@ -62,12 +62,12 @@ impl BearingLaws {
         let lacks = |of: fn(&Bearing) -> bool| places.iter().any(of);
         if has(BearingLaw::Contact) && lacks(|own| own.data.stiffness.is_none()) {
             notes.push(format!(
-                "Contacts without a stiffness or damping in the file: {CONTACT:.0e} N/m, {DAMPING:.0e} N s/m."
+                "Contacts to which the file gives no stiffness or damping: {CONTACT:.0e} N/m, {DAMPING:.0e} N s/m."
             ));
         }
         if has(BearingLaw::Bushing) && lacks(|own| own.data.stiffness.is_none()) {
             notes.push(format!(
-                "Bushings without a stiffness or damping in the file: {BUSHING:.0e} N/m, {DAMPING:.0e} N s/m."
+                "Bushings to which the file gives no stiffness or damping: {BUSHING:.0e} N/m, {DAMPING:.0e} N s/m."
             ));
         }
         if has(BearingLaw::Contact)

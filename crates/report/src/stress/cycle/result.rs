@@ -357,7 +357,7 @@ impl CrankCycle {
     }
 
     /// The bearing through whose shell a journal leans furthest, and the thickness at its ends [m]; `None` where none does.
-    pub(super) fn touching_ends(&self) -> Option<(String, f64)> {
+    pub fn touching_ends(&self) -> Option<(String, f64)> {
         let bearings = self.counted().into_iter().flat_map(|run| &run.bearings);
         let ends = bearings.filter_map(|own| Some((own.name(), own.film.as_ref()?.at_ends)));
         ends.filter(|(_, at_ends)| *at_ends < 0.0).min_by(|a, b| a.1.total_cmp(&b.1))

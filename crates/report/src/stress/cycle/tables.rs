@@ -296,6 +296,12 @@ impl CrankCycle {
 
     fn words(&self) -> Vec<String> {
         let mut words = vec![format!("Gas: {}.", self.gas.as_deref().unwrap_or("none"))];
+        if let Some([first, second, ..]) = self.runs.first().map(|run| run.theta.as_slice()) {
+            let step = number::short((second - first).to_degrees(), 3);
+            words.push(format!(
+                "Largest loads and stresses are those at steps of {step} deg: beside a jump of the pressure they depend on where the steps lie."
+            ));
+        }
         words.push(match self.motion {
             CycleSpeed::Constant => "The flywheel turns at constant speed.".to_owned(),
             CycleSpeed::Free => {
