@@ -2962,6 +2962,8 @@ export type MassProperties = {
 /** A criterion of an engine. */
 export type Measured = {
   kind: "known";
+  /** What it leaves out, and why; empty: nothing that others count. */
+  left_out?: string;
   /** Which part has it: "main bearing 3", "pin 2 at web 3". */
   place: string;
   /** At which speed of crankshaft 1 [rad/s]. */
