@@ -316,6 +316,7 @@ impl<'a> DirectOrbit<'a> {
             largest_pressure: films.pressure,
             largest_pressure_at: films.pressure_at as f64 / n as f64,
             friction_power: films.power / n as f64,
+            friction_power_of_pressure_part: films.power_of_pressure_part / n as f64,
             side_flow: films.side_flow / n as f64,
             feed_flow: films.feed_flow / n as f64,
             contact_time: films.contact_time / n as f64,
@@ -348,6 +349,7 @@ struct Films {
     pressure: f64,
     pressure_at: usize,
     power: f64,
+    power_of_pressure_part: f64,
     side_flow: f64,
     feed_flow: f64,
     contact_time: f64,
@@ -365,6 +367,7 @@ impl Films {
         }
         self.contact_time += if contact > 0.0 { 1.0 } else { 0.0 };
         self.power += found.film.power;
+        self.power_of_pressure_part += found.film.power_of_pressure_part;
         self.side_flow += found.film.side_flow;
         self.feed_flow += found.film.feed_flow;
     }

@@ -98,6 +98,9 @@ pub struct FilmOrbit {
     pub largest_pressure_at: f64,
     /// Friction power, mean over the period [W]: torques and motion of the journal, contact left out.
     pub friction_power: f64,
+    /// The same with shear only where there is pressure [W]: the bound from below, of a shell that is empty elsewhere.
+    #[serde(default)]
+    pub friction_power_of_pressure_part: f64,
     /// Oil that leaves at the ends, mean [m3/s].
     pub side_flow: f64,
     /// Oil that grooves and holes give, mean [m3/s]; 0 where the film has none.
@@ -434,6 +437,7 @@ fn films(system: &Orbit, orbit: &[Plane], along: Option<Along>) -> Result<FilmOr
         largest_pressure: 0.0,
         largest_pressure_at: 0.0,
         friction_power: 0.0,
+        friction_power_of_pressure_part: 0.0,
         side_flow: 0.0,
         feed_flow: 0.0,
         contact_time: 0.0,
@@ -507,6 +511,7 @@ fn films(system: &Orbit, orbit: &[Plane], along: Option<Along>) -> Result<FilmOr
         }
         if (k as f64) < regular {
             found.friction_power += film.power / regular;
+            found.friction_power_of_pressure_part += film.power_of_pressure_part / regular;
             found.side_flow += film.side_flow / regular;
             found.contact_time += if length(contact) > 0.0 { 1.0 / regular } else { 0.0 };
         }

@@ -83,6 +83,9 @@ pub struct BearingFilm {
     pub largest_pressure_angle: f64,
     /// Composite roughness [m].
     pub roughness: f64,
+    /// Turns of the journal for one of crankshaft 1, below 0 against it.
+    #[serde(default)]
+    pub journal_turns: f64,
     /// Angle of the shell's frame at the instants of the orbit [rad]: of a big end the rod's line towards the piston. Empty: it does not turn.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub shell_angle: Vec<f64>,
@@ -269,10 +272,17 @@ fn told(request: &BearingFilmRequest, cycle: &JournalCycle, found: Found) -> Bea
         least_film_angle: orbit.least_film_at * request.period,
         largest_pressure_angle: orbit.largest_pressure_at * request.period,
         roughness: request.roughness,
+        journal_turns: journal_speed(cycle) * cycle.duration / request.period,
         shell_angle: request.shell.to_vec(),
         carried: Vec::new(),
         orbit,
     }
+}
+
+/// Mean angular speed of the journal [rad/s].
+fn journal_speed(cycle: &JournalCycle) -> f64 {
+    let speeds = cycle.entrainment.iter().zip(&cycle.sliding).map(|(mean, sliding)| mean + 0.5 * sliding);
+    speeds.sum::<f64>() / cycle.entrainment.len() as f64
 }
 
 /// A rigid shaft whose bearings share its loads.
@@ -440,6 +450,10 @@ mod tests {
         let rise = found.temperature_rise.expect("its flow takes the heat");
         assert!(found.heat_balanced && (film - 363.15 - rise).abs() < 0.1, "{film} {rise}");
         assert!((found.viscosity / oil.viscosity(film) - 1.0).abs() < 1e-12 && rise > 0.5);
+        // Half of the shell and less is under pressure, where films are thin.
+        let share = found.orbit.friction_power_of_pressure_part / found.orbit.friction_power;
+        assert!(share > 0.4 && share < 0.95, "{share}");
+        assert!((found.journal_turns - 314.0 * 0.02 / TAU).abs() < 1e-12);
         let fixed = bearing_film(&BearingFilmRequest {
             oil: FilmOil::Fixed { viscosity: found.viscosity, density: 850.0 },
             ..request

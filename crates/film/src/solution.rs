@@ -21,6 +21,8 @@ pub struct FilmSolution {
     pub shell_torque: f64,
     /// Work that force and torques do on the film [W].
     pub power: f64,
+    /// The same with shear only where there is pressure [W].
+    pub power_of_pressure_part: f64,
     /// Dissipation by shear and pressure flow [W]; equal to `power` but for Guembel's film, whose cut creates oil.
     pub dissipation: f64,
     /// Least film thickness [m], its angle [rad] and place along the axis from the middle [m].
@@ -115,6 +117,10 @@ impl FilmSolution {
         let couple = -lever * scale;
         let viscous = problem.viscosity * bearing.radius.powi(2) * area / bearing.clearance;
         let torque = |shear: f64| -viscous * motion.sliding * shear - 0.5 * couple;
+        let power = |shear: f64| {
+            viscous * motion.sliding.powi(2) * shear + motion.entrainment * couple
+                - dot(force, motion.velocity)
+        };
         let (least, angle, place) = least_film(problem, tilted);
         FilmSolution {
             force,
@@ -122,8 +128,8 @@ impl FilmSolution {
             torque: torque(shear),
             torque_of_pressure_part: torque(shear_pressed),
             shell_torque: viscous * motion.sliding * shear - 0.5 * couple,
-            power: viscous * motion.sliding.powi(2) * shear + motion.entrainment * couple
-                - dot(force, motion.velocity),
+            power: power(shear),
+            power_of_pressure_part: power(shear_pressed),
             dissipation: viscous * motion.sliding.powi(2) * shear + scale * flow_work,
             least_film: least,
             least_film_angle: angle,

@@ -197,6 +197,14 @@ fn bearings_with_oil_films() {
     assert!(text.contains("Oil films") && text.contains("big end 4") && text.contains("reynolds"), "{text}");
     assert!(text.contains("diametral clearance where none is given") && text.contains("5W-30"), "{text}");
     let csv = output(&folder, 0, &["bearings", "four.toml", "--film", "--samples", "90", "--format", "csv"]);
+    // In the journal's frame, which turns with the crankshaft, the eccentricity has the same size.
+    let rows =
+        csv.lines().skip(1).map(|row| row.split(',').skip(4).map(|own| own.parse().unwrap()).collect());
+    for row in rows.collect::<Vec<Vec<f64>>>() {
+        let [angle, x, y, _, u, v] = row[..] else { panic!("{row:?}") };
+        let (sin, cos) = angle.to_radians().sin_cos();
+        assert!((cos * u - sin * v - x).abs() < 2e-5 && (sin * u + cos * v - y).abs() < 2e-5, "{row:?}");
+    }
     assert_eq!(csv.lines().count(), 1 + 9 * 180);
     let speeds = [
         "bearings",

@@ -30,6 +30,7 @@ pub fn films_table(films: &[BearingFilm]) -> Table {
         column("largest pressure", "MPa", 4, |film| 1e-6 * film.orbit.largest_pressure),
         column("at", "deg", 4, |film| film.largest_pressure_angle * 180.0 / PI),
         column("friction", "W", 4, |film| film.orbit.friction_power),
+        column("under pressure", "W", 4, |film| film.orbit.friction_power_of_pressure_part),
         column("flow", "ml/s", 3, |film| 1e6 * film.orbit.side_flow),
         column("rise", "K", 3, |film| film.temperature_rise.unwrap_or(f64::NAN)),
         column("viscosity", "mPa s", 3, |film| 1e3 * film.viscosity),
@@ -42,7 +43,7 @@ pub fn films_table(films: &[BearingFilm]) -> Table {
     }
     columns.push(words("remark", films.iter().map(remarks)));
     let mut note =
-        "Least film over the cycle with its crank angle and its direction in the shell (main: frame of the engine; big end: from the rod's line)."
+        "Least film over the cycle with its crank angle and its direction in the shell (main: frame of the engine; big end: from the rod's line). Friction: of a shell full of oil, and with shear only where there is pressure."
             .to_owned();
     if is_tilted {
         note += " At an end: least film there, of a journal that tilts with its shaft. Load: what film and contact carry.";
@@ -256,10 +257,10 @@ pub fn films_text(engine: &str, input: &FilmsInput<'_>) -> String {
     out
 }
 
-/// The orbit of every bearing over the crank angle, as CSV.
+/// The orbit of every bearing over the crank angle, in the engine's frame and in that of the journal, whose x axis points along +x at crank angle 0, as CSV.
 pub fn films_csv(period: f64, films: &[BearingFilm]) -> String {
     let mut out = String::from(
-        "bearing,number,crankshaft,cavitation,crank_angle_deg,eccentricity_x_um,eccentricity_y_um,film_um\n",
+        "bearing,number,crankshaft,cavitation,crank_angle_deg,eccentricity_x_um,eccentricity_y_um,film_um,in_journal_x_um,in_journal_y_um\n",
     );
     for film in films {
         let kind = match film.kind {
@@ -270,14 +271,18 @@ pub fn films_csv(period: f64, films: &[BearingFilm]) -> String {
         for (i, e) in film.orbit.eccentricity.iter().enumerate() {
             let angle = period * 180.0 / PI * i as f64 / n as f64;
             let thickness = film.bearing.clearance - e[0].hypot(e[1]);
+            let (sin, cos) = (film.journal_turns * angle.to_radians()).sin_cos();
+            let in_journal = [cos * e[0] + sin * e[1], cos * e[1] - sin * e[0]];
             out.push_str(&format!(
-                "{kind},{},{},{},{angle:.4},{:.6},{:.6},{:.6}\n",
+                "{kind},{},{},{},{angle:.4},{:.6},{:.6},{:.6},{:.6},{:.6}\n",
                 film.number,
                 film.crankshaft,
                 film.cavitation.name(),
                 1e6 * e[0],
                 1e6 * e[1],
-                1e6 * thickness
+                1e6 * thickness,
+                1e6 * in_journal[0],
+                1e6 * in_journal[1]
             ));
         }
     }
