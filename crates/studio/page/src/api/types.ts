@@ -459,6 +459,8 @@ export type BearingFilm = {
   crankshaft: number;
   /** Whether that balance was found. */
   heat_balanced: boolean;
+  /** Turns of the journal for one of crankshaft 1, below 0 against it. */
+  journal_turns: number;
   /** Main or big end. */
   kind: BearingKind;
   /** Largest load [N]. */
@@ -2048,6 +2050,8 @@ export type FilmOrbit = {
   feed_flow: number;
   /** Friction power, mean over the period [W]: torques and motion of the journal, contact left out. */
   friction_power: number;
+  /** The same with shear only where there is pressure [W]: the bound from below, of a shell that is empty elsewhere. */
+  friction_power_of_pressure_part: number;
   /** Largest film pressure [Pa] and its instant over the period. */
   largest_pressure: number;
   /** Instant of the largest pressure, over the period. */
