@@ -1374,7 +1374,7 @@ class BearingFilm(Record):
     """A bearing of an engine and its film over the cycle."""
 
     __slots__ = ()
-    _FIELDS = ("bearing", "carried", "cavitation", "crankshaft", "heat_balanced", "kind", "largest_load", "largest_pressure_angle", "least_film_angle", "least_film_in_shell", "number", "orbit", "projected_pressure", "roughness", "shell_angle", "temperature", "temperature_rise", "viscosity",)
+    _FIELDS = ("bearing", "carried", "cavitation", "crankshaft", "heat_balanced", "journal_turns", "kind", "largest_load", "largest_pressure_angle", "least_film_angle", "least_film_in_shell", "number", "orbit", "projected_pressure", "roughness", "shell_angle", "temperature", "temperature_rise", "viscosity",)
 
     @property
     def bearing(self) -> JournalBearing:
@@ -1400,6 +1400,11 @@ class BearingFilm(Record):
     def heat_balanced(self) -> bool:
         """Whether that balance was found."""
         return self._get("heat_balanced")  # type: ignore[no-any-return]
+
+    @property
+    def journal_turns(self) -> float:
+        """Turns of the journal for one of crankshaft 1, below 0 against it."""
+        return self._get("journal_turns")  # type: ignore[no-any-return]
 
     @property
     def kind(self) -> Literal['main', 'crankpin']:
@@ -6818,7 +6823,7 @@ class FilmOrbit(Record):
     """The orbit over one period, and what the film does on it."""
 
     __slots__ = ()
-    _FIELDS = ("change", "contact_share", "contact_time", "eccentricity", "feed_flow", "friction_power", "largest_pressure", "largest_pressure_at", "least_edge_film", "least_film", "least_film_angle", "least_film_at", "outcome", "periods", "side_flow", "steps", "table_error",)
+    _FIELDS = ("change", "contact_share", "contact_time", "eccentricity", "feed_flow", "friction_power", "friction_power_of_pressure_part", "largest_pressure", "largest_pressure_at", "least_edge_film", "least_film", "least_film_angle", "least_film_at", "outcome", "periods", "side_flow", "steps", "table_error",)
 
     @property
     def change(self) -> float:
@@ -6849,6 +6854,11 @@ class FilmOrbit(Record):
     def friction_power(self) -> float:
         """Friction power, mean over the period [W]: torques and motion of the journal, contact left out."""
         return self._get("friction_power")  # type: ignore[no-any-return]
+
+    @property
+    def friction_power_of_pressure_part(self) -> float:
+        """The same with shear only where there is pressure [W]: the bound from below, of a shell that is empty elsewhere."""
+        return self._get("friction_power_of_pressure_part")  # type: ignore[no-any-return]
 
     @property
     def largest_pressure(self) -> float:
@@ -9323,12 +9333,17 @@ class Measured(Record):
     """A criterion of an engine."""
 
     __slots__ = ()
-    _FIELDS = ("kind", "place", "speed", "value", "reason", "remedy",)
+    _FIELDS = ("kind", "left_out", "place", "speed", "value", "reason", "remedy",)
 
     @property
     def kind(self) -> Literal['known', 'unknown']:
         """Which of the variants it is."""
         return self._get("kind")  # type: ignore[no-any-return]
+
+    @property
+    def left_out(self) -> str | None:
+        """What it leaves out, and why; empty: nothing that others count."""
+        return self._get("left_out")  # type: ignore[no-any-return]
 
     @property
     def place(self) -> str | None:
