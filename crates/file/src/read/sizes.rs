@@ -133,10 +133,15 @@ impl<'a> Reader<'a> {
                 continue;
             };
             let each = table.value.tables("each").given().unwrap_or(&[]);
-            let room = if key == "main" { room_of_mains(parts) } else { room_of_pins(parts) };
+            let rooms = if key == "main" { rooms_of_mains(parts) } else { rooms_of_pins(parts) };
+            let room = rooms.iter().copied().reduce(f64::max);
             for own in std::iter::once(table.value).chain(each) {
+                // The first and the last main bearing stand beside one web alone.
+                let is_at_end = key == "main"
+                    && matches!(own.whole("number"), Field::Given(number) if number.value <= 1 || number.value as usize >= rooms.len() + 2);
                 if let (Field::Given(width), Some(room)) = (own.number("width"), room)
                     && width.value > room * (1.0 + 1e-9)
+                    && !is_at_end
                 {
                     let [width_text, room] =
                         [width.value, room].map(|value| lanchester_units::readable(value, Dimension::Length));
@@ -176,22 +181,24 @@ impl<'a> Reader<'a> {
     }
 }
 
-/// Longest room between the webs beside a main bearing [m]; `None` where the webs are not known.
-fn room_of_mains(parts: &EngineParts) -> Option<f64> {
-    let thickness = parts.crank_body.as_ref()?.web_thickness;
+/// Rooms between the webs beside the inner main bearings [m]; none where the webs are not known.
+fn rooms_of_mains(parts: &EngineParts) -> Vec<f64> {
     let mut webs: Vec<(usize, [f64; 2])> =
         parts.throws.iter().filter_map(|throw| Some((throw.crankshaft, throw.webs?))).collect();
     webs.sort_by(|a, b| a.1[0].total_cmp(&b.1[0]));
     let pairs = webs.windows(2).filter(|pair| pair[0].0 == pair[1].0);
-    let rooms = pairs.map(|pair| pair[1].1[0] - pair[0].1[1] - thickness);
-    // Two throws without a main bearing between them share a web.
-    rooms.filter(|room| *room > 0.0).reduce(f64::max)
+    rooms(parts, pairs.map(|pair| pair[1].1[0] - pair[0].1[1]))
 }
 
-/// Longest room between the webs of a throw [m]; `None` where they are not known.
-fn room_of_pins(parts: &EngineParts) -> Option<f64> {
-    let thickness = parts.crank_body.as_ref()?.web_thickness;
-    let rooms =
-        parts.throws.iter().filter_map(|throw| throw.webs.map(|[front, rear]| rear - front - thickness));
-    rooms.filter(|room| *room > 0.0).reduce(f64::max)
+/// Rooms between the webs of the throws [m]; none where they are not known.
+fn rooms_of_pins(parts: &EngineParts) -> Vec<f64> {
+    rooms(parts, parts.throws.iter().filter_map(|throw| throw.webs.map(|[front, rear]| rear - front)))
+}
+
+/// What distances of the middles of two webs leave between these [m], were both as thin as the thinnest; two throws that share a web have no room.
+fn rooms(parts: &EngineParts, distances: impl Iterator<Item = f64>) -> Vec<f64> {
+    let Some(body) = &parts.crank_body else { return Vec::new() };
+    let own = parts.crank_details.iter().flat_map(|details| &details.webs).filter_map(|web| web.thickness);
+    let thinnest = own.fold(body.web_thickness, f64::min);
+    distances.map(|distance| distance - thinnest).filter(|room| *room > 0.0).collect()
 }

@@ -88,3 +88,40 @@ fn a_kinematic_viscosity_with_a_density_is_a_dynamic_one() {
         assert!((viscosity - 10.2e-3).abs() < 1e-12, "{unit}: {viscosity}");
     }
 }
+
+/// Numbers that no bearing has are told, each with its place; a bearing at the end of the crankshaft may be wider than the room between two throws.
+#[test]
+fn bearings_that_nobody_builds_are_told() {
+    const FOUR: &str = include_str!("../../../../examples/in-line-4-crank-by-elements.toml");
+    let told = |from: &str, to: &str| -> Vec<String> {
+        assert!(FOUR.contains(from), "{from}");
+        let reading = read(&FOUR.replacen(from, to, 1));
+        assert!(reading.file.is_some(), "{:?}", reading.diagnostics);
+        let own = reading.diagnostics.iter().filter(|own| own.code == "W1301");
+        own.map(|own| own.message.clone()).collect()
+    };
+    let wide = |number: u32| {
+        format!("[[bearings.main.each]]\nnumber = {number}\nwidth = \"30 mm\"\n\n[bearings.film]")
+    };
+    for (from, to, words) in [
+        ("width = \"22 mm\"", "width = \"220 mm\"", "a width of 220 mm is more than the 26 mm between webs"),
+        ("[bearings.film]", &wide(2), "a width of 30 mm is more than the 26 mm between webs"),
+        ("supply_pressure = \"4 bar\"", "supply_pressure = \"4000 bar\"", "a supply pressure of 4000 bar"),
+        ("[bearings.film]", "[bearings.film]\nroughness = \"0.5 mm\"", "a roughness of 0.5 mm"),
+        (
+            "diametral_clearance = \"0.06 mm\"",
+            "diametral_clearance = \"0.006 mm\"",
+            "goes ill with a diameter",
+        ),
+    ] {
+        let told = told(from, to);
+        assert!(told.len() == 1 && told[0].contains(words), "{to}: {told:?}");
+    }
+    for (from, to) in [
+        ("[bearings.film]", "[bearings.film]"),
+        ("[bearings.film]", &*wide(1)),
+        ("[bearings.film]", &*wide(5)),
+    ] {
+        assert_eq!(told(from, to), [""; 0], "{to}");
+    }
+}
