@@ -6,11 +6,12 @@ use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
 
-/// Runs a copy of the program that stands in `folder`.
-fn copied(folder: &Path, arguments: &[&str]) -> Output {
+/// Runs the program from `folder`, linked there. A copy would be open for writing while another test starts a program,
+/// which then holds it open until it runs itself: for that moment the system refuses to run the copy.
+fn placed(folder: &Path, arguments: &[&str]) -> Output {
     let program = folder.join(format!("lanchester{EXE_SUFFIX}"));
     if !program.exists() {
-        fs::copy(env!("CARGO_BIN_EXE_lanchester"), &program).unwrap();
+        fs::hard_link(env!("CARGO_BIN_EXE_lanchester"), &program).unwrap();
     }
     Command::new(&program).args(arguments).current_dir(folder).output().unwrap()
 }
@@ -19,7 +20,7 @@ fn copied(folder: &Path, arguments: &[&str]) -> Output {
 fn units_hold_description_binary_and_engine_file() {
     let folder = folder("export-unit");
     let engine = examples().join("v6-60.toml").display().to_string();
-    let said = copied(&folder, &["export", "fmu", &engine, "--output", "v6.fmu"]);
+    let said = placed(&folder, &["export", "fmu", &engine, "--output", "v6.fmu"]);
     let told = String::from_utf8(said.stderr).unwrap();
     assert_eq!(said.status.code(), Some(2), "{told}");
     assert!(told.contains("binary for units is missing") && told.contains("hint: build it with"), "{told}");
@@ -27,7 +28,7 @@ fn units_hold_description_binary_and_engine_file() {
     fs::write(folder.join(format!("{DLL_PREFIX}lanchester_fmu{DLL_SUFFIX}")), "a library").unwrap();
     for (version, binary) in [("2", "binaries/linux64/"), ("3", "binaries/x86_64-linux/")] {
         let unit = format!("{version}.fmu");
-        let said = copied(&folder, &["export", "fmu", &engine, "--fmi", version, "--output", &unit]);
+        let said = placed(&folder, &["export", "fmu", &engine, "--fmi", version, "--output", &unit]);
         assert!(said.status.success(), "{said:?}");
         let bytes = fs::read(folder.join(&unit)).unwrap();
         let text = String::from_utf8_lossy(&bytes);
@@ -38,7 +39,7 @@ fn units_hold_description_binary_and_engine_file() {
         for name in names {
             assert!(text.contains(name), "{name}");
         }
-        let again = copied(&folder, &["export", "fmu", &engine, "--fmi", version, "--output", &unit]);
+        let again = placed(&folder, &["export", "fmu", &engine, "--fmi", version, "--output", &unit]);
         assert_eq!(again.status.code(), Some(2), "a file is never overwritten");
         assert_eq!(fs::read(folder.join(&unit)).unwrap(), bytes);
     }
@@ -50,7 +51,7 @@ fn a_unit_of_another_ending_is_not_written() {
     fs::write(folder.join(format!("{DLL_PREFIX}lanchester_fmu{DLL_SUFFIX}")), "a library").unwrap();
     let engine = examples().join("v6-60.toml").display().to_string();
     for name in ["v6.zip", "v6"] {
-        let said = copied(&folder, &["export", "fmu", &engine, "--output", name]);
+        let said = placed(&folder, &["export", "fmu", &engine, "--output", name]);
         let told = String::from_utf8(said.stderr).unwrap();
         assert_eq!(said.status.code(), Some(2), "{told}");
         assert!(told.contains("a unit is written as .fmu"), "{told}");
@@ -62,11 +63,11 @@ fn a_unit_of_another_ending_is_not_written() {
 fn forces_by_order_need_speeds() {
     let folder = folder("export-speeds");
     let engine = examples().join("in-line-4.toml").display().to_string();
-    let one = copied(&folder, &["export", "nastran", &engine]);
+    let one = placed(&folder, &["export", "nastran", &engine]);
     let told = String::from_utf8(one.stderr).unwrap();
     assert!(one.status.code() == Some(2) && told.contains("hint: add --speeds"), "{told}");
     let falling = ["export", "nastran", &engine, "--speeds", "700 rpm .. 600 rpm by 100 rpm"];
-    let told = String::from_utf8(copied(&folder, &falling).stderr).unwrap();
+    let told = String::from_utf8(placed(&folder, &falling).stderr).unwrap();
     assert!(told.contains("hint: write the smaller value first") && !told.contains("deg"), "{told}");
 }
 
@@ -76,7 +77,7 @@ fn the_crank_train_is_a_second_model() {
     fs::write(folder.join(format!("{DLL_PREFIX}lanchester_fmu{DLL_SUFFIX}")), "a library").unwrap();
     let engine = examples().join("generator-set-3.toml").display().to_string();
     let export = |engine: &str, unit: &str| {
-        copied(&folder, &["export", "fmu", engine, "--model", "crank-train", "--output", unit])
+        placed(&folder, &["export", "fmu", engine, "--model", "crank-train", "--output", unit])
     };
     let said = export(&engine, "set.fmu");
     assert!(said.status.success(), "{said:?}");
