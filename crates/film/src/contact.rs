@@ -6,6 +6,8 @@
 //! Source: Greenwood, Tripp, Proc. IMechE 185 (1970) 625; power-law fit of their F_(5/2) as widely used in engine bearings.
 
 use crate::bearing::JournalBearing;
+use crate::plane::{Plane, add, direction};
+use lanchester_numerics::{GAUSS_8, unit_points};
 
 /// K E: pattern of the asperities 0.003 times 115 GPa, steel on a bearing alloy; typical.
 const STIFFNESS: f64 = 0.003 * 115e9;
@@ -39,4 +41,34 @@ pub fn contact_with_slope(bearing: &JournalBearing, roughness: f64, ratio: f64) 
         scale * (0.5 * (first[k] + last[k]) + inner)
     };
     (sum(0), sum(1))
+}
+
+/// Force [N] of the contact of a tilted journal, and what works with the displacement [m] of its end by tilt, with derivatives: eccentricity and tilt over the
+/// clearance as in [`crate::TiltedMotion`], the force as in [`crate::TiltedImpedance`].
+pub fn tilted_contact(
+    bearing: &JournalBearing,
+    roughness: f64,
+    eccentricity: Plane,
+    tilt: Plane,
+) -> ([f64; 4], [[f64; 4]; 4]) {
+    let (mut force, mut by_place) = ([0.0; 4], [[0.0; 4]; 4]);
+    for (at, weight) in unit_points(&GAUSS_8) {
+        let z = 2.0 * at - 1.0;
+        let (n, ratio) = direction(add(eccentricity, z, tilt));
+        let (size, slope) = contact_with_slope(bearing, roughness, ratio);
+        if size == 0.0 {
+            continue;
+        }
+        for (i, force) in force.iter_mut().enumerate() {
+            let own = weight * if i < 2 { 1.0 } else { z };
+            *force -= own * size * n[i % 2];
+            for (j, entry) in by_place[i].iter_mut().enumerate() {
+                let along = n[i % 2] * n[j % 2];
+                let across = f64::from(u8::from(i % 2 == j % 2)) - along;
+                let lever = if j < 2 { 1.0 } else { z };
+                *entry -= own * lever * (slope * along + size / ratio * across);
+            }
+        }
+    }
+    (force, by_place)
 }

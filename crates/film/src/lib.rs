@@ -13,9 +13,11 @@
 //! ```
 #![forbid(unsafe_code)]
 
+mod axial;
 mod balance;
 mod banded;
 mod bearing;
+mod block_ring;
 mod cavitation;
 mod cells;
 mod contact;
@@ -34,11 +36,12 @@ mod short;
 mod solution;
 mod solver;
 mod table;
+mod tilted;
 
 pub use balance::{BALANCED, FilmEnergy};
 pub use bearing::{CLEARANCE_RATIO, JournalBearing, JournalMotion, VISCOSITY, check_viscosity};
 pub use cavitation::Cavitation;
-pub use contact::{contact_force, contact_with_slope};
+pub use contact::{contact_force, contact_with_slope, tilted_contact};
 pub use direct::{DirectOrbit, DirectRequest};
 pub use error::FilmError;
 pub use grid::FilmGrid;
@@ -60,3 +63,4 @@ pub use short::{ocvirk_load, short_bearing_force};
 pub use solution::{FilmSolution, attitude};
 pub use solver::FilmSolver;
 pub use table::{FilmTable, Impedance};
+pub use tilted::{TiltedImpedance, TiltedMotion, tilted_impedance};
