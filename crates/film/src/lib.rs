@@ -63,4 +63,4 @@ pub use short::{ocvirk_load, short_bearing_force};
 pub use solution::{FilmSolution, attitude};
 pub use solver::FilmSolver;
 pub use table::{FilmTable, Impedance};
-pub use tilted::{TiltedImpedance, TiltedMotion, tilted_impedance};
+pub use tilted::{TiltedImpedance, TiltedMotion, tilted_impedance, tilted_pressure};

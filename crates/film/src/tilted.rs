@@ -15,7 +15,7 @@ use crate::axial::{Axial, Block, Line, SHAPES, axial};
 use crate::block_ring::{BlockRing, plus, times};
 use crate::error::{FilmError, require, require_film};
 use crate::grid::FilmGrid;
-use crate::plane::{Plane, add, length};
+use crate::plane::{Plane, add, dot, length};
 
 /// Columns around.
 const AROUND: usize = 72;
@@ -90,15 +90,18 @@ fn minus(a: &Line, b: &Line) -> Line {
 /// # Ok::<(), FilmError>(())
 /// ```
 pub fn tilted_impedance(slenderness: f64, motion: &TiltedMotion) -> Result<TiltedImpedance, FilmError> {
-    require(
-        (0.02..=20.0).contains(&slenderness),
-        "length over diameter of a bearing",
-        "0.02 to 20",
-        slenderness,
-    )?;
-    let (x, t) = (motion.eccentricity, motion.tilt);
-    require_film(furthest(x, t))?;
-    Ok(Discrete::new(slenderness, x, t)?.impedance(motion))
+    Ok(Discrete::new(slenderness, motion)?.impedance(motion))
+}
+
+/// Largest pressure of the same film over [`crate::JournalBearing::pressure_scale`] [m/s], as far as columns and points along the axis see it.
+///
+/// # Errors
+/// As [`tilted_impedance`].
+pub fn tilted_pressure(slenderness: f64, motion: &TiltedMotion) -> Result<f64, FilmError> {
+    let film = Discrete::new(slenderness, motion)?;
+    let pressure = film.pressure(motion);
+    let along = |p: &Line| film.axial.values.iter().map(|values| scalar(values, p)).fold(0.0, f64::max);
+    Ok(pressure.iter().map(along).fold(0.0, f64::max))
 }
 
 /// Largest distance of the journal's axis from the bearing's at both ends, over the clearance.
@@ -119,7 +122,15 @@ struct Discrete {
 }
 
 impl Discrete {
-    fn new(slenderness: f64, x: Plane, t: Plane) -> Result<Discrete, FilmError> {
+    fn new(slenderness: f64, motion: &TiltedMotion) -> Result<Discrete, FilmError> {
+        require(
+            (0.02..=20.0).contains(&slenderness),
+            "length over diameter of a bearing",
+            "0.02 to 20",
+            slenderness,
+        )?;
+        let (x, t) = (motion.eccentricity, motion.tilt);
+        require_film(furthest(x, t))?;
         let axial = axial();
         // Graded towards the thinnest film where the eccentricity has a direction.
         let [size, lean] = [length(x), length(t)];
@@ -166,19 +177,22 @@ impl Discrete {
         [1.0 - self.x[0] * n[0] - self.x[1] * n[1], -self.t[0] * n[0] - self.t[1] * n[1]]
     }
 
+    /// P by columns and functions.
+    fn pressure(&self, motion: &TiltedMotion) -> Vec<Line> {
+        let [mean, lever] = self.axial.means;
+        let source = |own: &Column| {
+            let closing = [motion.closing, motion.closing_by_tilt].map(|v| dot(v, own.facing));
+            std::array::from_fn(|k| closing[0] * mean[k] + closing[1] * lever[k])
+        };
+        let mut pressure: Vec<Line> = self.columns.iter().map(source).collect();
+        self.ring.solve(&mut pressure);
+        pressure
+    }
+
     fn impedance(&self, motion: &TiltedMotion) -> TiltedImpedance {
         let mut found = TiltedImpedance::default();
-        let (v, w) = (motion.closing, motion.closing_by_tilt);
         let [mean, lever] = self.axial.means;
-        let mut pressure: Vec<Line> = self
-            .columns
-            .iter()
-            .map(|own| {
-                let closing = [v, w].map(|v| v[0] * own.facing[0] + v[1] * own.facing[1]);
-                std::array::from_fn(|k| closing[0] * mean[k] + closing[1] * lever[k])
-            })
-            .collect();
-        self.ring.solve(&mut pressure);
+        let pressure = self.pressure(motion);
         // Where it presses: integrals of the functions there, without and with z.
         let mut adjoint: [Vec<Line>; 4] = std::array::from_fn(|_| Vec::with_capacity(AROUND));
         for (own, p) in self.columns.iter().zip(&pressure) {

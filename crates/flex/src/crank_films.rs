@@ -168,7 +168,7 @@ fn press(
     speed: f64,
 ) -> Result<(StaticCase, OilPressure, Plane), FlexError> {
     let entrainment = 0.5 * speed;
-    let instant = FilmInstant { eccentricity: e, rate: [0.0; 2], entrainment };
+    let instant = FilmInstant { eccentricity: e, rate: [0.0; 2], entrainment, tilt: [[0.0; 2]; 2] };
     let missing = || FlexError::Missing {
         what: "oil film",
         name: own.place.name.clone(),

@@ -246,7 +246,12 @@ mod tests {
             let found = [0.3f64, 2.5].map(|direction| {
                 let load = [load * direction.cos(), load * direction.sin()];
                 let e = by_itself(&own, load, speed).unwrap();
-                let instant = FilmInstant { eccentricity: e, rate: [0.0; 2], entrainment: 0.5 * speed };
+                let instant = FilmInstant {
+                    eccentricity: e,
+                    rate: [0.0; 2],
+                    entrainment: 0.5 * speed,
+                    tilt: [[0.0; 2]; 2],
+                };
                 let film = OilPressure::of_film(&own.place, &own.law, &instant).unwrap().unwrap();
                 let miss = (film.force[0] + load[0]).hypot(film.force[1] + load[1]);
                 assert!(miss <= 5e-3 * load[0].hypot(load[1]), "{load:?} {:?}", film.force);

@@ -374,6 +374,9 @@ pub struct CycleArguments {
     /// Laws of the bearings, side by side.
     #[arg(long, value_enum, value_delimiter = ',', default_values_t = [LawOption::Rigid, LawOption::Contact, LawOption::Bushing, LawOption::Film])]
     pub bearings: Vec<LawOption>,
+    /// Let films feel how the journals tilt in them: Guembel's films, solved at every instant, some ten times the time of a run in films.
+    #[arg(long)]
+    pub tilt: bool,
     /// Run every law with a rigid crankshaft too.
     #[arg(long)]
     pub rigid_crankshaft: bool,

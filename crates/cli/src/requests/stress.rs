@@ -104,6 +104,7 @@ pub fn cycle_request(own: &CycleArguments, file: &EngineFile) -> Result<CycleReq
         mesh: mesh(&own.mesh, file, 6)?,
         laws,
         rigid_crank: own.rigid_crankshaft,
+        tilt: own.tilt,
         speed: own.speed.as_ref().map(|text| option::speed(text, "--speed")).transpose()?,
         motion: if own.free { CycleSpeed::Free } else { CycleSpeed::Constant },
         gas: !own.inertia_only,

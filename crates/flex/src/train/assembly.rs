@@ -1,7 +1,7 @@
 //! Equations of motion of the train: what its state is, and how much of it counts.
 //!
-//! The state: coordinates of the crankshaft and their rates, places and velocities of big ends with laws of their own, deviation of a free flywheel's angle, its rate and
-//! the load, sums of energies.
+//! The state: coordinates of the crankshaft and their rates, places and velocities of big ends with laws of their own, places of shells on yielding housings, deviation of a
+//! free flywheel's angle, its rate and the load, sums of energies.
 
 use super::body::{CrankBody, Held};
 use super::flywheel::{FreeFlywheel, HARDLY};
@@ -9,7 +9,8 @@ use super::law::TrainLaw;
 use super::motion::Turn;
 use super::parts::{CrankTrain, TrainCylinder};
 use super::plane::{Plane, QUARTER, Square, length, plus, times, turn};
-use super::ties::{Kind, Moving, Tie, moving};
+use super::spot::{Spot, furthest, middle, moment, work};
+use super::ties::{Kind, Moving, Shell, Tie, moving};
 use crate::sparse::dot;
 use lanchester_numerics::{Lu, StageSystem};
 
@@ -27,7 +28,7 @@ pub(super) struct Inverse {
     key: [u64; 2],
     /// A^-1.
     pub inverse: Vec<f64>,
-    /// A^-1 (C, Z)^T: three of each tie.
+    /// A^-1 (C, Z)^T: one of each row of the ties.
     pub images: Vec<Vec<f64>>,
     /// (C, Z) A^-1 (C, Z)^T.
     pub compliance: Vec<f64>,
@@ -50,6 +51,10 @@ pub(crate) struct Assembly<'a> {
     pub(super) body: CrankBody,
     pub(super) held: Held,
     pub(super) ties: Vec<Tie>,
+    /// Rows of the body that move the ties.
+    pub(super) tie_rows: Vec<Vec<f64>>,
+    /// Components of the ties' motion.
+    pub(super) tie_parts: usize,
     pub(super) size: usize,
     pub(super) dimension: usize,
     wheel: Option<Wheel>,
@@ -70,18 +75,33 @@ impl<'a> Assembly<'a> {
         let (body, held) = train.body.held(&rigid);
         let size = body.size();
         let mut dimension = 2 * size;
-        let mut ties = Vec::new();
+        let mut ties: Vec<Tie> = Vec::new();
+        let (mut tie_rows, mut tie_parts) = (Vec::new(), 0);
+        let mut tie = |kind: Kind, surface: usize, centre: Plane, law: &TrainLaw, shell: Option<Shell>| {
+            let half = law.film().filter(|_| law.is_tilted()).map_or(0.0, |own| 0.5 * own.length);
+            let own = Tie { kind, surface, centre, half, shell, row: tie_rows.len(), part: tie_parts };
+            tie_rows.extend(body.rows[surface].iter().chain([&body.turns[surface]]).cloned());
+            if half > 0.0 {
+                tie_rows.extend(body.slopes[surface].iter().cloned());
+            }
+            tie_parts += own.parts();
+            ties.push(own);
+        };
+        let mut components = |count: usize| {
+            dimension += count;
+            dimension - count
+        };
         for (index, main) in train.mains.iter().enumerate().filter(|(_, main)| !main.law.is_rigid()) {
-            ties.push(Tie { kind: Kind::Main(index), surface: main.surface, centre: [0.0; 2] });
+            let shell = main.housing.map(|stiffness| Shell { at: components(2), stiffness });
+            tie(Kind::Main(index), main.surface, [0.0; 2], &main.law, shell);
         }
         for (index, own) in train.cylinders.iter().enumerate() {
-            let kind = if own.law.is_rigid() {
-                Kind::Joined(index)
-            } else {
-                dimension += 4;
-                Kind::Free(index, dimension - 4)
+            let kind = match own.law.is_rigid() {
+                true => Kind::Joined(index),
+                false => Kind::Free(index, components(4)),
             };
-            ties.push(Tie { kind, surface: own.surface, centre: own.pin });
+            let shell = own.housing.map(|stiffness| Shell { at: components(2), stiffness });
+            tie(kind, own.surface, own.pin, &own.law, shell);
         }
         let reference = reference_force(train);
         let wheel = flywheel.map(|flywheel| {
@@ -114,7 +134,7 @@ impl<'a> Assembly<'a> {
                     reference / stiffness.iter().flatten().fold(1.0f64, |most, k| most.max(k.abs()))
                 }
                 TrainLaw::Contact { clearance, stiffness, .. } => clearance.max(reference / stiffness),
-                TrainLaw::Film { bearing, .. } => bearing.clearance,
+                TrainLaw::Film { bearing, .. } | TrainLaw::TiltedFilm { bearing, .. } => bearing.clearance,
             }
         };
         let tie_tolerance = ties.iter().map(|tie| tolerance * reach(tie)).collect();
@@ -123,6 +143,8 @@ impl<'a> Assembly<'a> {
             body,
             held,
             ties,
+            tie_rows,
+            tie_parts,
             size,
             dimension,
             wheel,
@@ -241,7 +263,7 @@ impl<'a> Assembly<'a> {
                 inverse[i * n + j] = column[i];
             }
         }
-        let rows: Vec<&Vec<f64>> = self.ties.iter().flat_map(|tie| self.rows(tie)).collect();
+        let rows = &self.tie_rows;
         let images: Vec<Vec<f64>> =
             rows.iter().map(|row| inverse.chunks(n.max(1)).map(|line| dot(line, row)).collect()).collect();
         let compliance = rows.iter().flat_map(|row| images.iter().map(|image| dot(row, image))).collect();
@@ -252,10 +274,9 @@ impl<'a> Assembly<'a> {
         Some(self.inverses.len() - 1)
     }
 
-    /// Rows of displacement and rotation of a tie's surface.
-    pub(super) fn rows(&self, tie: &Tie) -> [&Vec<f64>; 3] {
-        let [x, y] = &self.body.rows[tie.surface];
-        [x, y, &self.body.turns[tie.surface]]
+    /// Rows of a tie's surface: displacement, rotation, slope where tilt counts.
+    pub(super) fn rows(&self, tie: &Tie) -> &[Vec<f64>] {
+        &self.tie_rows[tie.row..tie.row + tie.rows()]
     }
 
     /// State of a stage for its accelerations, and the velocities into the slope.
@@ -273,6 +294,11 @@ impl<'a> Assembly<'a> {
                     y[rate] = base[rate] + g * slope[rate];
                     y[at] = base[at] + g * y[rate];
                     slope[at] = y[rate];
+                }
+            }
+            if let Some(shell) = tie.shell {
+                for at in [shell.at, shell.at + 1] {
+                    y[at] = base[at] + g * slope[at];
                 }
             }
         }
@@ -313,7 +339,7 @@ impl<'a> Assembly<'a> {
         frame: &Square,
         y: &[f64],
         slope: &mut [f64],
-        forces: &[Plane],
+        forces: &[Spot],
     ) -> Option<()> {
         let n = self.size;
         let (q, v) = y[..2 * n].split_at(n);
@@ -324,22 +350,22 @@ impl<'a> Assembly<'a> {
         let (mut gas, mut bearings) = (0.0, 0.0);
         for (tie, force) in self.ties.iter().zip(forces) {
             let at = moving(&self.body, tie, turn, frame, [q, v, &slope[n..2 * n]]);
-            moments += super::plane::cross(at.place, *force);
-            let (index, end) = match tie.kind {
+            moments += moment(&at.place, force);
+            let (index, place, velocity) = match tie.kind {
                 Kind::Main(_) => {
-                    bearings += super::plane::dot(*force, at.velocity);
+                    bearings += work(&tie.within(&at.velocity, [0.0; 2], slope), force);
                     continue;
                 }
-                Kind::Joined(index) => (index, at),
+                Kind::Joined(index) => (index, middle(&at.place), middle(&at.velocity)),
                 Kind::Free(index, start) => {
                     let [place, velocity] = [[y[start], y[start + 1]], [y[start + 2], y[start + 3]]];
-                    bearings += super::plane::dot(*force, plus(at.velocity, -1.0, velocity));
-                    (index, Moving { place, velocity, ..Moving::default() })
+                    bearings += work(&tie.within(&at.velocity, velocity, slope), force);
+                    (index, place, velocity)
                 }
             };
             let own = &self.train.cylinders[index];
             let pressed = own.gas.at(theta);
-            let state = own.slider.state(end.place, end.velocity, [0.0; 2], pressed)?;
+            let state = own.slider.state(place, velocity, [0.0; 2], pressed)?;
             gas -= pressed * state.piston_velocity;
         }
         let drive = turn.speed * self.torque(turn, y, &slope[n..2 * n], moments);
@@ -370,13 +396,20 @@ impl<'a> Assembly<'a> {
         }
         let frame = turn(self.own(&self.first(t, y, &[])).angle);
         for (tie, tolerance) in self.ties.iter().zip(&self.tie_tolerance) {
-            let rows = &self.body.rows[tie.surface];
+            let rows = self.rows(tie);
             for (from, scale) in [(0, 1.0), (n, rate)] {
                 let own = &error[from..from + n];
                 let mut e = times(&frame, [dot(&rows[0], own), dot(&rows[1], own)]);
                 if let Kind::Free(_, start) = tie.kind {
                     let at = start + if from == 0 { 0 } else { 2 };
                     e = plus(e, -1.0, [error[at], error[at + 1]]);
+                }
+                if let Some(shell) = tie.shell.filter(|_| from == 0) {
+                    e = plus(e, -1.0, [error[shell.at], error[shell.at + 1]]);
+                }
+                if let [_, _, _, x, y] = rows {
+                    let end = tie.half * length([dot(x, own), dot(y, own)]);
+                    largest = largest.max(end / (tolerance * scale));
                 }
                 largest = largest.max(length(e) / (tolerance * scale));
             }
@@ -395,6 +428,9 @@ impl<'a> Assembly<'a> {
             weights[n + k] = 1.0;
         }
         for (tie, tolerance) in self.ties.iter().zip(&self.tie_tolerance) {
+            if let Some(shell) = tie.shell {
+                weights[shell.at..shell.at + 2].fill(shell.stiffness.sqrt());
+            }
             if let Kind::Free(index, start) = tie.kind {
                 let slider = &self.train.cylinders[index].slider;
                 // A tie's tolerance is a fixed share of its reach.
@@ -428,12 +464,8 @@ impl<'a> Assembly<'a> {
                 Kind::Free(index, start) => (&self.train.cylinders[index].law, [y[start], y[start + 1]]),
                 Kind::Joined(_) => return true,
             };
-            match law {
-                TrainLaw::Film { bearing, .. } => {
-                    length(plus(at.place, -1.0, centre)) < (1.0 - LEAST_FILM) * bearing.clearance
-                }
-                _ => true,
-            }
+            let e = tie.within(&at.place, centre, y);
+            law.film().is_none_or(|bearing| furthest(&e) < (1.0 - LEAST_FILM) * bearing.clearance)
         })
     }
 

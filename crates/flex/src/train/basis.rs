@@ -52,13 +52,21 @@ pub struct BasisOptions {
     pub modes: usize,
     /// Share of critical damping of every mode.
     pub damping: f64,
+    /// Whether moments that tilt the bearing surfaces have static shapes too.
+    pub tilt: bool,
     /// Bytes that matrix and factor may take.
     pub memory: u64,
 }
 
 impl Default for BasisOptions {
     fn default() -> BasisOptions {
-        BasisOptions { kind: BasisKind::FreeInterface, modes: 20, damping: 0.01, memory: 8 << 30 }
+        BasisOptions {
+            kind: BasisKind::FreeInterface,
+            modes: 20,
+            damping: 0.01,
+            tilt: false,
+            memory: 8 << 30,
+        }
     }
 }
 
@@ -116,6 +124,9 @@ pub fn crank_basis(
     for coupling in &couplings {
         shapes.push(coupling.push(shape_base.clone(), [1e3, 0.0]));
         shapes.push(coupling.push(shape_base.clone(), [0.0, 1e3]));
+        if options.tilt {
+            shapes.extend([[1.0, 0.0], [0.0, 1.0]].map(|moment| coupling.tilt(shape_base.clone(), moment)));
+        }
     }
     let mut twist = shape_base.clone();
     for (node, w) in &turn {

@@ -151,6 +151,15 @@ impl Coupling {
         case
     }
 
+    /// Adds a moment on the slope [N m].
+    pub fn tilt(&self, mut case: StaticCase, moment: Plane) -> StaticCase {
+        for (node, [_, w]) in &self.weights {
+            let own = [0, 1].map(|k| w[0][k] * moment[0] + w[1][k] * moment[1]);
+            case = case.push(&[(*node, 1.0)], [own[0], own[1], 0.0]);
+        }
+        case
+    }
+
     /// Adds a pressure by the angle about the bar's axis, which pushes inwards.
     pub fn press(&self, mut case: StaticCase, pressure: impl Fn(f64) -> f64) -> StaticCase {
         for (node, [x, y, _]) in &self.areas {

@@ -1,8 +1,10 @@
 //! What a film does along an orbit: its largest pressure, from the film solved directly.
 
 use super::law::TrainLaw;
-use super::plane::{Plane, length};
-use lanchester_film::{FilmError, FilmGrid, FilmProblem, FilmSolution, FilmSolver, JournalMotion};
+use super::plane::{Plane, QUARTER, plus, times};
+use lanchester_film::{
+    FilmError, FilmGrid, FilmProblem, FilmSolution, FilmSolver, JournalMotion, TiltedMotion, tilted_pressure,
+};
 
 /// Cells around, and along half the length.
 const CELLS: (usize, usize) = (120, 12);
@@ -16,6 +18,8 @@ pub struct FilmInstant {
     pub rate: Plane,
     /// Mean angular speed of both surfaces [rad/s].
     pub entrainment: f64,
+    /// How much further the end of the journal lies than its middle [m], and the rate of that [m/s]: of films of tilted journals alone.
+    pub tilt: [Plane; 2],
 }
 
 /// The film of a law at an instant solved directly, with the solver that has its pressure; none of a bearing without film. Cells around, and along half the length.
@@ -57,15 +61,39 @@ pub fn largest_film_pressure(
     instants: &[FilmInstant],
     solved: usize,
 ) -> Result<Option<(f64, usize)>, FilmError> {
-    let size = |k: &usize| length(instants[*k].eccentricity);
+    let furthest = |own: &FilmInstant| {
+        let ([x, y], [a, b]) = (own.eccentricity, own.tilt[0]);
+        super::spot::furthest(&[x, y, a, b])
+    };
+    let size = |k: &usize| furthest(&instants[*k]);
     let Some(least) = (0..instants.len()).max_by(|a, b| size(a).total_cmp(&size(b))) else { return Ok(None) };
     let stride = instants.len().div_ceil(solved.max(1)).max(1);
     let mut best: Option<(f64, usize)> = None;
     for k in (0..instants.len()).step_by(stride).chain([least]) {
-        let Some((_, film)) = solved_film(law, &instants[k], CELLS)? else { return Ok(None) };
-        if best.is_none_or(|(most, _)| film.largest_pressure > most) {
-            best = Some((film.largest_pressure, k));
+        let pressure = match tilted(law, &instants[k])? {
+            Some(pressure) => pressure,
+            None => {
+                let Some((_, film)) = solved_film(law, &instants[k], CELLS)? else { return Ok(None) };
+                film.largest_pressure
+            }
+        };
+        if best.is_none_or(|(most, _)| pressure > most) {
+            best = Some((pressure, k));
         }
     }
     Ok(best)
+}
+
+/// Largest pressure [Pa] of the film of a tilted journal; none of another law.
+fn tilted(law: &TrainLaw, own: &FilmInstant) -> Result<Option<f64>, FilmError> {
+    let TrainLaw::TiltedFilm { bearing, viscosity, .. } = law else { return Ok(None) };
+    let [tilt, tilt_rate] = own.tilt;
+    let closing = |e: Plane, rate: Plane| plus(rate, -own.entrainment, times(&QUARTER, e));
+    let motion = TiltedMotion {
+        eccentricity: own.eccentricity.map(|part| part / bearing.clearance),
+        tilt: tilt.map(|part| part / bearing.clearance),
+        closing: closing(own.eccentricity, own.rate),
+        closing_by_tilt: closing(tilt, tilt_rate),
+    };
+    Ok(Some(bearing.pressure_scale(*viscosity) * tilted_pressure(bearing.slenderness(), &motion)?))
 }

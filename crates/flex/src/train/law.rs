@@ -5,10 +5,14 @@
 //! bushing    F = -(k e + b e')                                                               (book, eq. 51.9)
 //! film       F = 12 mu (R/c)^3 L f(e/c, v) - F_c n    v = e' - w_m e_z x e                   (book, eq. 51.10)
 //! ```
-//! The damping of a contact fades in over its first depth, `s` from 0 to 1, so that the force has no jump; `F_c` is that of the roughness.
+//! The damping of a contact fades in over its first depth, `s` from 0 to 1, so that the force has no jump; `F_c` is that of the roughness. The film of a tilted journal
+//! depends on how far its end lies from its middle too, and acts on that.
 
 use super::plane::{ONE, Plane, QUARTER, Square, dot, length, plus, product, sum, times};
-use lanchester_film::{FilmTable, JournalBearing, contact_with_slope};
+use super::spot::{Four, Spot, corner, flat, through_blocks};
+use lanchester_film::{
+    FilmTable, JournalBearing, TiltedMotion, contact_with_slope, tilted_contact, tilted_impedance,
+};
 use std::sync::Arc;
 
 /// Depth over which a contact's damping fades in, over the clearance.
@@ -46,6 +50,15 @@ pub enum TrainLaw {
         /// Composite roughness [m], 0: no contact.
         roughness: f64,
     },
+    /// Guembel's film of a journal that tilts in its bearing, solved at every instant.
+    TiltedFilm {
+        /// The bearing.
+        bearing: JournalBearing,
+        /// Viscosity [Pa s].
+        viscosity: f64,
+        /// Composite roughness [m], 0: no contact.
+        roughness: f64,
+    },
 }
 
 /// Force on the journal with its derivatives.
@@ -54,6 +67,14 @@ pub(crate) struct LawForce {
     pub force: Plane,
     pub by_place: Square,
     pub by_velocity: Square,
+}
+
+/// Force on middle and end of the journal with its derivatives.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct SpotForce {
+    pub force: Spot,
+    pub by_place: Four,
+    pub by_velocity: Four,
 }
 
 const NONE: LawForce = LawForce { force: [0.0; 2], by_place: [[0.0; 2]; 2], by_velocity: [[0.0; 2]; 2] };
@@ -74,9 +95,50 @@ impl TrainLaw {
     pub fn clearance(&self) -> Option<f64> {
         match self {
             TrainLaw::Contact { clearance, .. } => Some(*clearance),
-            TrainLaw::Film { bearing, .. } => Some(bearing.clearance),
+            TrainLaw::Film { .. } | TrainLaw::TiltedFilm { .. } => self.film().map(|own| own.clearance),
             TrainLaw::Rigid | TrainLaw::Bushing { .. } => None,
         }
+    }
+
+    /// The bearing of a film.
+    pub fn film(&self) -> Option<&JournalBearing> {
+        match self {
+            TrainLaw::Film { bearing, .. } | TrainLaw::TiltedFilm { bearing, .. } => Some(bearing),
+            TrainLaw::Rigid | TrainLaw::Contact { .. } | TrainLaw::Bushing { .. } => None,
+        }
+    }
+
+    /// Whether the force depends on how the journal tilts.
+    pub(crate) fn is_tilted(&self) -> bool {
+        matches!(self, TrainLaw::TiltedFilm { .. })
+    }
+
+    /// Force where middle and end of the journal are at `e`, with the rate `rate`: none where the film has no thickness left.
+    pub(crate) fn spot_force(&self, e: &Spot, rate: &Spot, entrainment: f64) -> Option<SpotForce> {
+        let TrainLaw::TiltedFilm { bearing, viscosity, roughness } = self else {
+            let own = self.force([e[0], e[1]], [rate[0], rate[1]], entrainment)?;
+            let [by_place, by_velocity] = [own.by_place, own.by_velocity].map(|own| flat(&own));
+            return Some(SpotForce { force: [own.force[0], own.force[1], 0.0, 0.0], by_place, by_velocity });
+        };
+        let c = bearing.clearance;
+        let [(middle, closing), (end, closing_by_tilt)] = [0, 2].map(|at| {
+            let own = [e[at], e[at + 1]];
+            let v = plus([rate[at], rate[at + 1]], -entrainment, times(&QUARTER, own));
+            (own.map(|part| part / c), v)
+        });
+        let motion = TiltedMotion { eccentricity: middle, tilt: end, closing, closing_by_tilt };
+        let film = tilted_impedance(bearing.slenderness(), &motion).ok()?;
+        let scale = bearing.force_scale(*viscosity);
+        let turning = through_blocks(&film.by_velocity, &QUARTER);
+        let (floor, floor_by) = tilted_contact(bearing, *roughness, middle, end);
+        let pairs = |of: &dyn Fn(usize, usize) -> f64| [0, 1, 2, 3].map(|i| [0, 1, 2, 3].map(|j| of(i, j)));
+        Some(SpotForce {
+            force: [0, 1, 2, 3].map(|i| scale * film.force[i] + floor[i]),
+            by_place: pairs(&|i, j| {
+                scale * (film.by_place[i][j] / c - entrainment * turning[i][j]) + floor_by[i][j] / c
+            }),
+            by_velocity: pairs(&|i, j| scale * film.by_velocity[i][j]),
+        })
     }
 
     /// Force at eccentricity `e` [m] and its rate [m/s], with the mean angular speed `entrainment` of both surfaces [rad/s]; none where the film has no
@@ -121,6 +183,15 @@ impl TrainLaw {
                     }
                 }
                 Some(own)
+            }
+            TrainLaw::TiltedFilm { .. } => {
+                let upright = |[x, y]: Plane| [x, y, 0.0, 0.0];
+                let own = self.spot_force(&upright(e), &upright(rate), entrainment)?;
+                Some(LawForce {
+                    force: [own.force[0], own.force[1]],
+                    by_place: corner(&own.by_place),
+                    by_velocity: corner(&own.by_velocity),
+                })
             }
         }
     }

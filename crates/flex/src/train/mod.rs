@@ -19,6 +19,7 @@ mod parts;
 mod plane;
 mod slider;
 mod snapshot;
+mod spot;
 mod stage;
 mod stress;
 mod ties;

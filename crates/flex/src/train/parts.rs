@@ -16,6 +16,8 @@ pub struct TrainMain {
     pub surface: usize,
     /// What ties the journal to the housing.
     pub law: TrainLaw,
+    /// Stiffness of the housing behind the shell of a film [N/m]; `None`: rigid.
+    pub housing: Option<f64>,
 }
 
 /// A cylinder with its big end.
@@ -31,6 +33,8 @@ pub struct TrainCylinder {
     pub slider: Slider,
     /// What ties the pin to the big end.
     pub law: TrainLaw,
+    /// Stiffness of the big end behind the shell of a film [N/m]; `None`: rigid.
+    pub housing: Option<f64>,
     /// Gas force on the piston towards the crank over the angle of crankshaft 1 [N].
     pub gas: PeriodicForce,
 }
@@ -56,7 +60,7 @@ impl CrankTrain {
     /// Refuses what cannot run.
     ///
     /// # Errors
-    /// [`FlexError::Number`] for fewer than two main bearings, surfaces that the body does not have, a speed that is none; [`FlexError::FreeMotion`] for a rigid crankshaft
+    /// [`FlexError::Number`] for fewer than two main bearings, surfaces that the body does not have, a speed that is none, a housing behind a bearing without film; [`FlexError::FreeMotion`] for a rigid crankshaft
     /// whose rigid bearings are indeterminate.
     pub fn check(&self) -> Result<(), FlexError> {
         let refuse = |quantity: &str, needed: &str, got: f64, hint| {
@@ -80,6 +84,17 @@ impl CrankTrain {
         let speed = self.motion.speed;
         if !(speed > 0.0 && speed.is_finite()) {
             return refuse("speed [rad/s]", "above 0", speed, "a crank train turns");
+        }
+        let shells = self.mains.iter().map(|own| (&own.law, own.housing));
+        let shells = shells.chain(self.cylinders.iter().map(|own| (&own.law, own.housing)));
+        for (law, stiffness) in shells.filter_map(|(law, housing)| Some((law, housing?))) {
+            if !(stiffness > 0.0 && stiffness.is_finite()) {
+                return refuse("stiffness of a housing [N/m]", "above 0", stiffness, "leave it out: rigid");
+            }
+            if law.film().is_none() {
+                let hint = "put it in series with the bearing's own stiffness";
+                return refuse("housings behind a bearing without film", "0", 1.0, hint);
+            }
         }
         let elastic = self.body.stiffness.iter().any(|k| *k > 0.0);
         let rigid = self.mains.iter().filter(|own| own.law.is_rigid()).count();

@@ -1,8 +1,9 @@
 //! What a state of the train is worth: its energy, and everything about its bearings.
 
 use super::assembly::Assembly;
-use super::plane::{Plane, cross, plus, times};
+use super::plane::{Plane, dot as along, times};
 use super::slider::SliderState;
+use super::spot::{end, middle, moment};
 use super::ties::{Kind, linear, moving};
 use crate::sparse::dot;
 
@@ -33,6 +34,8 @@ pub struct CycleInstant {
     pub entrainment: Vec<f64>,
     /// Rate of each eccentricity, mains then pins [m/s].
     pub rates: Vec<Plane>,
+    /// How much further the end of each journal lies than its middle [m], and the rate of that [m/s], mains then pins: zero where the law does not know of tilt.
+    pub tilts: Vec<[Plane; 2]>,
     /// Torque of the flywheel on the crankshaft [N m].
     pub torque: f64,
 }
@@ -60,9 +63,13 @@ impl Assembly<'_> {
         let still = vec![0.0; n];
         for tie in &self.ties {
             let at = moving(&self.body, tie, &turn, &frame, [q, v, &still]);
+            if let Some(shell) = tie.shell {
+                let place = [y[shell.at], y[shell.at + 1]];
+                energy += 0.5 * shell.stiffness * along(place, place);
+            }
             let (index, place, velocity) = match tie.kind {
                 Kind::Main(_) => continue,
-                Kind::Joined(index) => (index, at.place, at.velocity),
+                Kind::Joined(index) => (index, middle(&at.place), middle(&at.velocity)),
                 Kind::Free(index, start) => (index, [y[start], y[start + 1]], [y[start + 2], y[start + 3]]),
             };
             let state = self.train.cylinders[index].slider.state(place, velocity, [0.0; 2], 0.0);
@@ -95,6 +102,7 @@ impl Assembly<'_> {
             rods: Vec::new(),
             entrainment: Vec::new(),
             rates: vec![[0.0; 2]; self.train.mains.len()],
+            tilts: vec![[[0.0; 2]; 2]; self.train.mains.len()],
             torque: 0.0,
         };
         // What the equations of the whole body leave is what holds it.
@@ -116,28 +124,35 @@ impl Assembly<'_> {
         for tie in &self.ties {
             let at = moving(&self.body, tie, &turn, &frame, [q, v, k]);
             let part = linear(self.train, tie, &turn, theta, 0.0, &at, [y, slope])?;
-            moments += cross(at.place, part.force);
-            let push = at.lever.back(part.force);
-            let (rows, turns) = (&whole.rows[tie.surface], &whole.turns[tie.surface]);
-            for i in 0..size {
-                rest[i] -= rows[0][i] * push[0] + rows[1][i] * push[1] + turns[i] * push[2];
+            moments += moment(&at.place, &part.force);
+            let push = at.lever.back(&part.force);
+            let [rows, slopes] = [&whole.rows, &whole.slopes].map(|own| &own[tie.surface]);
+            let rows = [&rows[0], &rows[1], &whole.turns[tie.surface], &slopes[0], &slopes[1]];
+            for (row, push) in rows.into_iter().zip(push).filter(|(_, push)| *push != 0.0) {
+                rest.iter_mut().zip(row).for_each(|(rest, row)| *rest -= row * push);
             }
             match tie.kind {
                 Kind::Main(index) => {
-                    found.main_forces[index] = part.force;
-                    found.main_places[index] = at.place;
-                    found.rates[index] = at.velocity;
+                    let (e, rate) =
+                        (tie.within(&at.place, [0.0; 2], y), tie.within(&at.velocity, [0.0; 2], slope));
+                    found.main_forces[index] = middle(&part.force);
+                    found.main_places[index] = middle(&e);
+                    found.rates[index] = middle(&rate);
+                    found.tilts[index] = [end(&e), end(&rate)];
                 }
                 Kind::Joined(index) | Kind::Free(index, _) => {
                     let own = &self.train.cylinders[index];
                     let (place, velocity) = match tie.kind {
                         Kind::Free(_, start) => ([y[start], y[start + 1]], [y[start + 2], y[start + 3]]),
-                        _ => (at.place, at.velocity),
+                        _ => (middle(&at.place), middle(&at.velocity)),
                     };
                     let state = own.slider.state(place, velocity, [0.0; 2], 0.0)?;
-                    found.pin_forces.push(part.force);
-                    found.pin_places.push(plus(at.place, -1.0, place));
-                    found.rates.push(plus(at.velocity, -1.0, velocity));
+                    let (e, rate) =
+                        (tie.within(&at.place, place, y), tie.within(&at.velocity, velocity, slope));
+                    found.pin_forces.push(middle(&part.force));
+                    found.pin_places.push(middle(&e));
+                    found.rates.push(middle(&rate));
+                    found.tilts.push([end(&e), end(&rate)]);
                     found.rods.push(own.slider.direction(place));
                     found.entrainment.push(0.5 * (turn.speed + state.swing));
                 }

@@ -1,13 +1,13 @@
 //! Newton's iteration of a stage, condensed to the bearings.
 //!
-//! The crankshaft is linear, so that all that is not lies in the forces of its ties, two unknowns each. With the share `g` of a step in a stage,
+//! The crankshaft is linear, so that all that is not lies in the forces of its ties, two unknowns each, four where tilt counts. With the share `g` of a step in a stage,
 //! `q = q_0 + g v`, `v = v_0 + g k`, Newton's correction of the accelerations `k` is
 //!
 //! ```text
 //! A dk = -r - c da + SUM L^T df    A = 1 + g (D + 2 W G) + g^2 (K - W^2 (N - S))    df = J w + h    w = L dk + e_z x p da    L = R E (C, Z)
 //! (1 - H J) w = L A^-1 (L^T h - r - c da) + e_z x p da    H = L A^-1 L^T    dk = A^-1 (-r - c da + L^T (h + J w))      (book, eq. 51.7)
 //! ```
-//! `A` is inverted once for each length of step. A big end with a law of its own is eliminated within its tie: `J` and `h` hold its inertia.
+//! `A` is inverted once for each length of step. A big end with a law of its own is eliminated within its tie, and so is a shell on its housing: `J` and `h` hold them.
 //!
 //! `da` is the correction of the acceleration of a free flywheel, 0 where the motion is imposed. It turns the frame, so that the tie at `p` feels it as an acceleration
 //! across; `c` is its derivative of `r`. It follows from the flywheel's own equation, whose torque is linear in `dk`, `w` and `da` too:
@@ -18,15 +18,18 @@
 //! What a turn of the frame does to the direction of forces and to the gas, and a correction to `E` of a pin, is left out of the derivatives: shares of (g W)^2 of what is in.
 
 use super::assembly::{Assembly, Inverse};
-use super::law::TrainLaw;
 use super::motion::Turn;
-use super::plane::{Plane, QUARTER, cross, length, plus, times, turn};
-use super::ties::{Kind, Linear, Moving, linear, moving};
+use super::plane::{Plane, length, plus, turn};
+use super::spot::{Spot, add, apply, end, furthest, middle, moment, quarter};
+use super::ties::{Kind, Linear, Moving, Tie, linear, moving};
 use crate::sparse::dot;
 use lanchester_numerics::Lu;
+use rayon::prelude::*;
 
 /// Newton iterations of a stage.
 const ITERATIONS: u32 = 14;
+/// Those of a state whose shells yield.
+const SHELLS: u32 = 6;
 /// Last correction over the tolerance of a step.
 const CORRECTION: f64 = 0.01;
 /// Share of its thickness that a film keeps at least in one iteration.
@@ -45,7 +48,7 @@ struct Correction {
     /// Of the acceleration of crankshaft 1 [rad/s^2].
     turning: f64,
     /// Of the acceleration of every tie, in the block's frame.
-    ties: Vec<Plane>,
+    ties: Vec<Spot>,
 }
 
 /// The equations of the body at a state, and what its torque is made of.
@@ -68,7 +71,7 @@ struct Condensed<'a> {
 /// Derivatives by the angular acceleration.
 struct ByTurning {
     change: Vec<f64>,
-    moved: Vec<Plane>,
+    moved: Vec<Spot>,
     /// Of the flywheel's torque on the crankshaft: the inertia that it feels [kg m^2].
     torque: f64,
 }
@@ -79,7 +82,9 @@ impl Assembly<'_> {
         let n = self.size;
         let place = self.inverse(g)?;
         let mut y = vec![0.0; self.dimension];
-        let mut forces = vec![[0.0; 2]; self.ties.len()];
+        let mut forces = vec![[0.0; 4]; self.ties.len()];
+        // Without a step only the rate of shells is not linear.
+        let at_rest = if self.ties.iter().any(|tie| tie.shell.is_some()) { SHELLS } else { 2 };
         let mut iterations = 0;
         loop {
             iterations += 1;
@@ -98,15 +103,17 @@ impl Assembly<'_> {
             }
             for (index, (tie, (part, _))) in self.ties.iter().zip(&trial.ties).enumerate() {
                 let w = found.ties[index];
-                forces[index] = plus(part.force, reach, plus(times(&part.slope, w), 1.0, part.constant));
+                forces[index] = add(&part.force, reach, &add(&apply(&part.slope, &w), 1.0, &part.constant));
+                let mut follow = |at: usize, by: Plane| (0..2).for_each(|k| slope[at + k] += reach * by[k]);
                 if let Kind::Free(_, start) = tie.kind {
-                    let end = big_end(part, w);
-                    slope[start + 2] += reach * end[0];
-                    slope[start + 3] += reach * end[1];
+                    follow(start + 2, part.big_end.at(&w));
+                }
+                if let Some(shell) = tie.shell {
+                    follow(shell.at, part.shell.at(&w));
                 }
             }
             let done = size <= CORRECTION && reach == 1.0;
-            if (g > 0.0 && done) || (g == 0.0 && iterations == 2) {
+            if (g > 0.0 && done) || (g == 0.0 && iterations == at_rest) {
                 break;
             }
             if iterations >= ITERATIONS {
@@ -126,11 +133,16 @@ impl Assembly<'_> {
         let own = self.own(&first);
         let frame = turn(own.angle);
         let (q, v) = y[..2 * n].split_at(n);
-        let ties = self.ties.iter().map(|tie| {
+        let one = |tie: &Tie| {
             let at = moving(&self.body, tie, &own, &frame, [q, v, &slope[n..2 * n]]);
             Some((linear(self.train, tie, &own, first.angle, g, &at, [y, slope])?, at))
-        });
-        Some(Trial { ties: ties.collect::<Option<_>>()?, turn: own })
+        };
+        // A film that is solved is worth a thread.
+        let ties: Option<Vec<_>> = match self.ties.iter().any(|tie| tie.half > 0.0) {
+            true => self.ties.par_iter().map(one).collect(),
+            false => self.ties.iter().map(one).collect(),
+        };
+        Some(Trial { ties: ties?, turn: own })
     }
 
     fn body_terms(&self, turn: &Turn, y: &[f64], k: &[f64]) -> BodyTerms {
@@ -167,17 +179,17 @@ impl Assembly<'_> {
         for (tie, (part, at)) in self.ties.iter().zip(ties) {
             let rows = self.rows(tie);
             // Into the residual go the force and the constant of the correction at once.
-            let push = at.lever.back(plus(part.force, 1.0, part.constant));
-            for (i, load) in load.iter_mut().enumerate() {
-                *load += rows[0][i] * push[0] + rows[1][i] * push[1] + rows[2][i] * push[2];
+            let push = at.lever.back(&add(&part.force, 1.0, &part.constant));
+            for (row, push) in rows.iter().zip(push) {
+                load.iter_mut().zip(row).for_each(|(load, row)| *load += row * push);
             }
         }
-        let (mut change, mut moved) = self.solve(&condensed, trial, &load, |_| [0.0; 2]);
+        let (mut change, mut moved) = self.solve(&condensed, trial, &load, |_| [0.0; 4]);
         let Some(wheel) = self.turning() else {
             return Some(Correction { change, turning: 0.0, ties: moved });
         };
         let by = self.by_turning(&condensed, g, y, trial, &terms);
-        let held = ties.iter().map(|(part, at)| cross(at.place, plus(part.force, 1.0, part.constant)));
+        let held = ties.iter().map(|(part, at)| moment(&at.place, &add(&part.force, 1.0, &part.constant)));
         let w = turn.speed;
         let torque = dot(&slope[n..2 * n], &terms.euler)
             + turn.acceleration * self.polar(y, &terms)
@@ -191,26 +203,32 @@ impl Assembly<'_> {
             *change += ratio * turning * by;
         }
         for (moved, by) in moved.iter_mut().zip(&by.moved) {
-            *moved = plus(*moved, ratio * turning, *by);
+            *moved = add(moved, ratio * turning, by);
         }
         Some(Correction { change, turning, ties: moved })
     }
 
     /// `1 - H J` of all ties.
     fn condensed<'a>(&self, own: &'a Inverse, trial: &Trial) -> Option<Condensed<'a>> {
-        let m = 2 * self.ties.len();
+        let (m, all) = (self.tie_parts, self.tie_rows.len());
         let mut small = vec![0.0; m * m];
-        for (row, (_, to)) in trial.ties.iter().enumerate() {
-            for (column, (part, from)) in trial.ties.iter().enumerate() {
-                let entry =
-                    |r: usize, s: usize| own.compliance[(3 * row + r) * 3 * self.ties.len() + 3 * column + s];
-                // Columns of the compliance between both surfaces, seen at the middle of the first.
-                let seen = [0, 1, 2].map(|s| to.lever.times([entry(0, s), entry(1, s), entry(2, s)]));
-                for axis in 0..2 {
-                    let h = from.lever.times([seen[0][axis], seen[1][axis], seen[2][axis]]);
-                    let at = (2 * row + axis) * m + 2 * column;
-                    small[at] = -(h[0] * part.slope[0][0] + h[1] * part.slope[1][0]);
-                    small[at + 1] = -(h[0] * part.slope[0][1] + h[1] * part.slope[1][1]);
+        for (to, (_, to_at)) in self.ties.iter().zip(&trial.ties) {
+            for (from, (part, from_at)) in self.ties.iter().zip(&trial.ties) {
+                // Columns of the compliance between both surfaces, seen at middle and end of the first.
+                let mut seen = [[0.0; 4]; 5];
+                for (s, seen) in seen.iter_mut().enumerate().take(from.rows()) {
+                    let mut column = [0.0; 5];
+                    for (r, value) in column.iter_mut().enumerate().take(to.rows()) {
+                        *value = own.compliance[(to.row + r) * all + from.row + s];
+                    }
+                    *seen = to_at.lever.times(&column);
+                }
+                for i in 0..to.parts() {
+                    let h = from_at.lever.times(&seen.map(|column| column[i]));
+                    for j in 0..from.parts() {
+                        let product: f64 = (0..4).map(|k| h[k] * part.slope[k][j]).sum();
+                        small[(to.part + i) * m + from.part + j] = -product;
+                    }
                 }
             }
         }
@@ -224,21 +242,31 @@ impl Assembly<'_> {
         condensed: &Condensed<'_>,
         trial: &Trial,
         load: &[f64],
-        beside: impl Fn(usize) -> Plane,
-    ) -> (Vec<f64>, Vec<Plane>) {
+        beside: impl Fn(usize) -> Spot,
+    ) -> (Vec<f64>, Vec<Spot>) {
         let own = condensed.own;
         let mut change: Vec<f64> =
             own.inverse.chunks(load.len().max(1)).map(|line| dot(line, load)).collect();
-        let mut w = Vec::with_capacity(2 * self.ties.len());
+        let mut w = Vec::with_capacity(self.tie_parts);
         for (index, (tie, (_, at))) in self.ties.iter().zip(&trial.ties).enumerate() {
-            let moved = at.lever.times(self.rows(tie).map(|row| dot(row, &change)));
-            w.extend(plus(moved, 1.0, beside(index)));
+            let mut rows = [0.0; 5];
+            for (value, row) in rows.iter_mut().zip(self.rows(tie)) {
+                *value = dot(row, &change);
+            }
+            let moved = add(&at.lever.times(&rows), 1.0, &beside(index));
+            w.extend(&moved[..tie.parts()]);
         }
         condensed.factors.solve(&mut w);
-        let moved: Vec<Plane> = w.chunks(2).map(|w| [w[0], w[1]]).collect();
-        for (tie, ((part, at), w)) in trial.ties.iter().zip(&moved).enumerate() {
-            let push = at.lever.back(times(&part.slope, *w));
-            for (image, push) in own.images[3 * tie..].iter().zip(push).filter(|(_, push)| *push != 0.0) {
+        let spot = |tie: &Tie| {
+            let mut spot = [0.0; 4];
+            spot[..tie.parts()].copy_from_slice(&w[tie.part..tie.part + tie.parts()]);
+            spot
+        };
+        let moved: Vec<Spot> = self.ties.iter().map(spot).collect();
+        for (tie, ((part, at), w)) in self.ties.iter().zip(trial.ties.iter().zip(&moved)) {
+            let push = at.lever.back(&apply(&part.slope, w));
+            let images = &own.images[tie.row..tie.row + tie.rows()];
+            for (image, push) in images.iter().zip(push).filter(|(_, push)| *push != 0.0) {
                 change.iter_mut().zip(image).for_each(|(to, from)| *to += push * from);
             }
         }
@@ -258,7 +286,7 @@ impl Assembly<'_> {
         let load: Vec<f64> = (0..n)
             .map(|i| -terms.euler[i] - 2.0 * g * (terms.coriolis[i] - w * terms.centrifugal[i]))
             .collect();
-        let across = |tie: usize| times(&QUARTER, trial.ties[tie].1.place);
+        let across = |tie: usize| quarter(&trial.ties[tie].1.place);
         let (change, moved) = self.solve(condensed, trial, &load, across);
         let torque = self.polar(y, terms)
             + 2.0 * g * dot(&y[n..2 * n], &terms.centrifugal)
@@ -274,11 +302,10 @@ impl Assembly<'_> {
     }
 
     /// Torque of the flywheel on the crankshaft that these corrections of accelerations need [N m].
-    fn torque_of(&self, g: f64, trial: &Trial, terms: &BodyTerms, change: &[f64], moved: &[Plane]) -> f64 {
-        let of_ties =
-            trial.ties.iter().zip(moved).map(|((part, at), w)| {
-                cross(at.place, times(&part.slope, *w)) + g * g * cross(*w, part.force)
-            });
+    fn torque_of(&self, g: f64, trial: &Trial, terms: &BodyTerms, change: &[f64], moved: &[Spot]) -> f64 {
+        let of_ties = trial.ties.iter().zip(moved).map(|((part, at), w)| {
+            moment(&at.place, &apply(&part.slope, w)) + g * g * moment(w, &part.force)
+        });
         dot(change, &terms.euler) + 2.0 * g * trial.turn.speed * dot(change, &terms.centrifugal)
             - of_ties.sum::<f64>()
     }
@@ -294,11 +321,15 @@ impl Assembly<'_> {
                 Kind::Free(index, start) => (&self.train.cylinders[index].law, [y[start], y[start + 1]]),
                 Kind::Joined(_) => continue,
             };
-            let e = plus(at.place, -1.0, centre);
-            let step = plus(w, -1.0, big_end(part, w)).map(|part| g * g * part);
-            size = size.max(length(step) / self.tie_tolerance[index]);
-            if let TrainLaw::Film { bearing, .. } = law {
-                reach = reach.min(within(bearing.clearance, e, step));
+            let e = tie.within(&at.place, centre, y);
+            // A big end without coordinates and a rigid shell do not follow.
+            let (big_end, shell) = (part.big_end.at(&w), part.shell.at(&w));
+            let follows = [0, 1].map(|k| g * g * big_end[k] + g * shell[k]);
+            let mut step = w.map(|part| g * g * part);
+            (0..2).for_each(|k| step[k] -= follows[k]);
+            size = size.max(length(middle(&step)).max(length(end(&step))) / self.tie_tolerance[index]);
+            if let Some(bearing) = law.film() {
+                reach = reach.min(within(bearing.clearance, &e, &step));
             }
         }
         for (change, tolerance) in found.change.iter().zip(&self.coordinate_tolerance) {
@@ -311,33 +342,32 @@ impl Assembly<'_> {
     }
 }
 
-/// Correction of a big end's acceleration; none of one without coordinates.
-fn big_end(part: &Linear, w: Plane) -> Plane {
-    let (shift, follow) = part.big_end;
-    plus(shift, 1.0, times(&follow, w))
-}
-
-/// Share of a step of an eccentricity after which a film keeps some of its thickness.
-fn within(clearance: f64, e: Plane, step: Plane) -> f64 {
-    let film = clearance - length(e);
-    let allowed = clearance - KEPT * film;
-    if length(plus(e, 1.0, step)) <= allowed {
+/// Share of a step of an eccentricity after which a film keeps some of its thickness at both ends.
+fn within(clearance: f64, e: &Spot, step: &Spot) -> f64 {
+    let allowed = clearance - KEPT * (clearance - furthest(e));
+    if furthest(&add(e, 1.0, step)) <= allowed {
         return 1.0;
     }
-    // |e + s step| = allowed.
-    let [a, b, c] = [
-        super::plane::dot(step, step),
-        super::plane::dot(e, step),
-        super::plane::dot(e, e) - allowed * allowed,
-    ];
-    ((-b + (b * b - a * c).max(0.0).sqrt()) / a).clamp(0.0, 1.0)
+    let at = |sign: f64, v: &Spot| plus(middle(v), sign, end(v));
+    // |e + s step| = allowed, of the end that is there first.
+    let share = |sign: f64| {
+        let (e, step) = (at(sign, e), at(sign, step));
+        let [a, b, c] = [
+            super::plane::dot(step, step),
+            super::plane::dot(e, step),
+            super::plane::dot(e, e) - allowed * allowed,
+        ];
+        if a > 0.0 { ((-b + (b * b - a * c).max(0.0).sqrt()) / a).clamp(0.0, 1.0) } else { 1.0 }
+    };
+    share(1.0).min(share(-1.0))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::train::{
-        CrankBody, CrankTrain, FreeFlywheel, ImposedMotion, PeriodicForce, Slider, TrainCylinder, TrainMain,
+        CrankBody, CrankTrain, FreeFlywheel, ImposedMotion, PeriodicForce, Slider, TrainCylinder, TrainLaw,
+        TrainMain,
     };
 
     const SPEED: f64 = 400.0;
@@ -362,7 +392,7 @@ mod tests {
             slopes: vec![[vec![0.0; n], vec![0.0; n]]; 4],
             turning: row(90),
         };
-        let main = |surface: usize, law| TrainMain { number: surface + 1, surface, law };
+        let main = |surface: usize, law| TrainMain { number: surface + 1, surface, law, housing: None };
         let cylinder = |surface: usize, pin: Plane, law| TrainCylinder {
             number: surface - 1,
             surface,
@@ -377,6 +407,7 @@ mod tests {
                 inertia: 1.5e-3,
             },
             law,
+            housing: None,
             gas: PeriodicForce { period: 12.6, samples: vec![2000.0] },
         };
         CrankTrain {

@@ -178,7 +178,12 @@ fn pressure_of_a_film_carries_its_force_and_loads_the_pin_with_it() {
         viscosity: 8e-3,
         roughness: 0.0,
     };
-    let instant = FilmInstant { eccentricity: [1.9e-5, 1.2e-5], rate: [2e-4, -1e-4], entrainment: 140.0 };
+    let instant = FilmInstant {
+        eccentricity: [1.9e-5, 1.2e-5],
+        rate: [2e-4, -1e-4],
+        entrainment: 140.0,
+        tilt: [[0.0; 2]; 2],
+    };
     let oil = OilPressure::of_film(&pin, &law, &instant).unwrap().unwrap();
     // F = - INTEGRAL p n R da dz, by the rule of middles.
     let (n, m) = (7200, 400);

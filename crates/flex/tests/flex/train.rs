@@ -1,6 +1,7 @@
 //! The crank train on a small shaft: its body in the turning frame, laws in their limits, energy, same bits.
 
 mod free;
+mod shells;
 
 use lanchester_film::{Cavitation, FilmTable, JournalBearing, JournalMotion};
 use lanchester_flex::crank_mesh::{CrankMesh, CrankMeshOptions, crank_mesh};
@@ -58,7 +59,7 @@ fn shaft() -> CrankMesh {
 fn body() -> &'static (CrankBody, Vec<f64>) {
     static BODY: OnceLock<(CrankBody, Vec<f64>)> = OnceLock::new();
     BODY.get_or_init(|| {
-        let options = BasisOptions { modes: 8, ..BasisOptions::default() };
+        let options = BasisOptions { modes: 8, tilt: true, ..BasisOptions::default() };
         let basis = crank_basis(&shaft(), &places(), options, &|_| {}).unwrap();
         (basis.body, basis.frequencies)
     })
@@ -183,6 +184,7 @@ fn pusher(samples: Vec<f64>, law: TrainLaw) -> TrainCylinder {
             inertia: 0.0,
         },
         law,
+        housing: None,
         gas: PeriodicForce { period: PERIOD, samples },
     }
 }
@@ -194,7 +196,7 @@ fn train(mut body: CrankBody, mains: TrainLaw, cylinder: TrainCylinder) -> Crank
         x[k] -= cylinder.pin[1] * turn;
         y[k] += cylinder.pin[0] * turn;
     }
-    let main = |k: usize| TrainMain { number: k + 1, surface: k, law: mains.clone() };
+    let main = |k: usize| TrainMain { number: k + 1, surface: k, law: mains.clone(), housing: None };
     CrankTrain {
         body,
         mains: vec![main(0), main(1)],
@@ -219,6 +221,11 @@ fn film(clearance: f64) -> TrainLaw {
     let table =
         TABLE.get_or_init(|| Arc::new(FilmTable::new(bearing.slenderness(), Cavitation::Gumbel).unwrap()));
     TrainLaw::Film { bearing, table: Arc::clone(table), viscosity: 0.02, roughness: 0.0 }
+}
+
+fn tilted(clearance: f64) -> TrainLaw {
+    let bearing = JournalBearing::new(RADIUS, 0.02, clearance).unwrap();
+    TrainLaw::TiltedFilm { bearing, viscosity: 0.02, roughness: 0.0 }
 }
 
 fn periodic(train: &CrankTrain) -> TrainCycles {
@@ -328,6 +335,7 @@ fn cylinder(law: TrainLaw) -> TrainCylinder {
             inertia: 9e-4,
         },
         law,
+        housing: None,
         gas: PeriodicForce { period: PERIOD, samples: gas },
     }
 }

@@ -4,6 +4,7 @@
 //! centrifugal loads differ by what one of both bodies has alone. Of the crankshaft as it is the rest differs by how it yields and vibrates.
 
 use crate::crosscheck::pair::{CrossCheckError, Pair};
+use crate::stress::cycle::laws::HousedLaw;
 use crate::stress::cycle::train::{Bearing, Composed, bearing_places};
 use lanchester_flex::crank_mesh::{CrankMeshOptions, crank_mesh};
 use lanchester_flex::train::{
@@ -90,7 +91,7 @@ fn of_crankshaft(
 
     let composed =
         Composed::new(engine, &|index, theta| pair.gas_force(index, theta), pair.speed, whole.period, places);
-    let laws = vec![TrainLaw::Rigid; places.len()];
+    let laws = vec![HousedLaw { law: TrainLaw::Rigid, housing: None }; places.len()];
     let turns = (whole.period / TAU).round().max(1.0) as usize;
     let options = CycleOptions { samples: turns * SAMPLES, tolerance: 1e-6, ..CycleOptions::default() };
     let run = |body: CrankBody, with_rods: bool| -> Result<Mains, String> {

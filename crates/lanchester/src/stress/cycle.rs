@@ -69,9 +69,12 @@ pub fn crank_cycle(
     let mut notes = Vec::new();
     // What may be refused at once is, before the mesh.
     let places = bearing_places(engine, request.mesh.crankshaft)?;
-    let laws = BearingLaws::new(engine, &loads, &places, &request.laws, &mut notes)?;
+    let laws = BearingLaws::new(engine, &loads, &places, &request.laws, request.tilt, &mut notes)?;
     if places.iter().any(|own| matches!(own.data.housing, Some(Housing::Stiffness(_)))) {
-        notes.push("The stiffness of the housings is left out: shells stand still.".to_owned());
+        notes.push(
+            "Housings that yield: behind the shells of films; in series with the stiffness of contacts and bushings; rigid bearings know none."
+                .to_owned(),
+        );
     }
     let measure = fatigue_measure(engine, request.factors)?;
     let yielding = engine.crank_material.unwrap_or_default().yield_strength();
@@ -82,7 +85,8 @@ pub fn crank_cycle(
     let sheet = sheet(engine, &request.mesh, &mesh_watch)?;
     let surfaces: Vec<_> = places.iter().map(|own| own.surface.clone()).collect();
     let estimate = |estimate: &_| mesh_watch(StressStage::Factoring(*estimate));
-    let basis = BasisOptions { damping: request::damping(request, engine).0, ..request.basis };
+    let damping = request::damping(request, engine).0;
+    let basis = BasisOptions { damping, tilt: request.tilt, ..request.basis };
     let basis = crank_basis(&sheet.crank, &surfaces, basis, &estimate)?;
     watch(CycleStage::Reduced(basis.body.size(), basis.stress.nodes()));
     let turns = (loads.period / TAU).round().max(1.0) as usize;
@@ -175,9 +179,11 @@ pub fn crank_cycle(
 /// What the model leaves out.
 fn left_out(engine: &Engine, request: &CycleRequest, unmeshed: &[String]) -> Vec<String> {
     let (damping, source) = request::damping(request, engine);
+    let films = request.laws.iter().any(|law| matches!(law, CycleLaw::Film | CycleLaw::File));
+    let tilt = if films && !request.tilt { "tilt of journals in the law of the film, " } else { "" };
     let mut notes = vec![format!(
-        "Left out: gravity, friction couples, tilt and axial motion of rods, motion of the crankshaft along its axis, tilt of journals in the law of \
-         the film, deformation of shells and block. Material: {} % of critical damping in every mode, {source}.",
+        "Left out: gravity, friction couples, tilt and axial motion of rods, motion of the crankshaft along its axis, {tilt}\
+         deformation of shells and block. Material: {} % of critical damping in every mode, {source}.",
         100.0 * damping
     )];
     if !unmeshed.is_empty() {

@@ -13,7 +13,7 @@ use lanchester_flex::crank_case::{CrankSupport, FilmBearing, PinLoad, PinPressur
 use lanchester_flex::oil_pressure::OilPressure;
 use lanchester_flex::train::{FilmInstant, Plane, TrainLaw};
 use lanchester_mechanism::{BearingLoads, BearingPart, BearingRequest, bearing_loads};
-use lanchester_model::{Engine, Housing};
+use lanchester_model::Engine;
 use lanchester_report::CycleLaw;
 
 /// Change of the speed within a run for which the oil is warmed anew.
@@ -156,16 +156,13 @@ fn at_speed(
     let on_pins = request.pressure == PinPressure::Film;
     let places = if on_pins { bearing_places(engine, crankshaft)? } else { main_places(engine, crankshaft)? };
     let mut said = Vec::new();
-    let laws = BearingLaws::new(engine, &loads, &places, &[CycleLaw::Film], &mut said)?;
+    let laws = BearingLaws::new(engine, &loads, &places, &[CycleLaw::Film], false, &mut said)?;
     said.retain(|note| !notes.contains(note));
     notes.extend(said);
     let films = places.iter().zip(laws.of(CycleLaw::Film));
     let films: Vec<(&Bearing, FilmBearing)> = films
         .map(|(place, law)| {
-            (
-                place,
-                FilmBearing { place: place.surface.clone(), law: law.clone(), housing: housing_of(place) },
-            )
+            (place, FilmBearing { place: place.surface.clone(), law: law.law.clone(), housing: law.housing })
         })
         .collect();
     let mains = films.iter().filter(|(place, _)| place.is_main() && request.support == CrankSupport::Films);
@@ -178,14 +175,6 @@ fn at_speed(
         })
         .collect::<Result<_, StressError>>()?;
     Ok(AtSpeed { speed, mains, pins })
-}
-
-/// Stiffness of the housing of a bearing [N/m]; `None`: rigid.
-fn housing_of(place: &Bearing) -> Option<f64> {
-    match place.data.housing {
-        Some(Housing::Stiffness(stiffness)) => Some(stiffness),
-        Some(Housing::Rigid) | None => None,
-    }
 }
 
 impl BigEnd {
@@ -246,7 +235,8 @@ impl BigEnd {
             [0, 1].map(|k| (if size > 0.0 { touching * ratio[k] / size } else { 0.0 } - load[k]) / scale);
         let v = table.velocity(ratio, force).map_err(refused)?;
         let rate = [v[0] - entrainment * e[1], v[1] + entrainment * e[0]];
-        let instant = FilmInstant { eccentricity: turned(e), rate: turned(rate), entrainment };
+        let instant =
+            FilmInstant { eccentricity: turned(e), rate: turned(rate), entrainment, tilt: [[0.0; 2]; 2] };
         let found = OilPressure::of_film(&self.bearing.place, &self.bearing.law, &instant)?;
         found.ok_or_else(|| BearingFilmsError::NoSizes.into())
     }

@@ -1281,6 +1281,7 @@ class Engine:
         *,
         bearings: Limits = (),
         rigid_crankshaft: bool = False,
+        tilt: bool = False,
         speed: Quantity | None = None,
         free: bool = False,
         gas: bool = True,
@@ -1301,8 +1302,8 @@ class Engine:
         the mains. The file has a section ``[crank.body]``.
 
         `bearings`: ``"rigid"`` (no clearance and no yield), ``"contact"`` (clearance, then a spring with a damper), ``"bushing"`` (springs with dampers), ``"film"`` (an oil
-        film), ``"file"`` (each as the file says), or several; the first four by default. `rigid_crankshaft`: every law with a rigid crankshaft too; `speed`: mean of crankshaft 1
-        [rad/s]; `free`: the flywheel turns as gas, inertia and a constant load make it; `modes` that are kept, of the free crankshaft or, with
+        film), ``"file"`` (each as the file says), or several; the first four by default. `rigid_crankshaft`: every law with a rigid crankshaft too; `tilt`: films feel how the
+        journals tilt in them (Guembel's, some ten times the time); `speed`: mean of crankshaft 1 [rad/s]; `free`: the flywheel turns as gas, inertia and a constant load make it; `modes` that are kept, of the free crankshaft or, with
         ``reduction="craig-bampton"``, of one whose bearings are held; `damping` of every mode over the critical
         one [1], else that of the material; `instants` of a revolution, a multiple of 8; most `cycles` of a law; `surface_factor` and so on as in `fatigue`.
 
@@ -1319,6 +1320,7 @@ class Engine:
         options = {
             "bearings": bearings,
             "rigid_crankshaft": rigid_crankshaft,
+            "tilt": tilt,
             "speed": speed,
             "free": free,
             "gas": gas,

@@ -54,6 +54,7 @@ fn read_cycle(options: &Options<'_>) -> Result<Run, Failure> {
     let request = CycleRequest {
         laws: if laws.is_empty() { usual.laws.clone() } else { laws },
         rigid_crank: options.flag("rigid_crankshaft")?.unwrap_or(false),
+        tilt: options.flag("tilt")?.unwrap_or(false),
         speed: options.speed("speed")?,
         motion: match options.flag("free")?.unwrap_or(false) {
             true => CycleSpeed::Free,

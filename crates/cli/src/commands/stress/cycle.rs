@@ -83,7 +83,7 @@ fn verdict(found: &CrankCycle, safety: Option<f64>, fatigue: Option<f64>, least_
         let touching = found.touching_ends();
         if let Some((name, _)) = &touching {
             tell(format_args!(
-                "the least film is not known: at the ends of {name} the journal leans through its film"
+                "the least film is not known: at the ends of {name} the journal leans through its film, which feels the tilt with --tilt"
             ));
             status = NOT_AS_EXPECTED;
         }

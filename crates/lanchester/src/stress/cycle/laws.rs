@@ -8,7 +8,7 @@ use crate::stress::request::StressError;
 use lanchester_film::{BearingFilm, Cavitation, FilmTable, JournalBearing};
 use lanchester_flex::train::TrainLaw;
 use lanchester_mechanism::BearingLoads;
-use lanchester_model::{BearingLaw, Engine};
+use lanchester_model::{BearingLaw, Engine, Housing};
 use lanchester_report::CycleLaw;
 use std::sync::Arc;
 
@@ -17,9 +17,16 @@ const CONTACT: f64 = 5e8;
 const BUSHING: f64 = 2e9;
 const DAMPING: f64 = 2e4;
 
+/// A law, and the stiffness of the housing behind it [N/m]; `None`: rigid, or part of the law.
+#[derive(Debug, Clone)]
+pub(crate) struct HousedLaw {
+    pub law: TrainLaw,
+    pub housing: Option<f64>,
+}
+
 /// Laws of all bearings, for every law asked for.
 pub(crate) struct BearingLaws {
-    laws: Vec<(CycleLaw, Vec<TrainLaw>)>,
+    laws: Vec<(CycleLaw, Vec<HousedLaw>)>,
     /// Of each bearing the quasi-static film of the rigid crankshaft.
     films: Vec<Option<BearingFilm>>,
 }
@@ -30,6 +37,7 @@ impl BearingLaws {
         loads: &BearingLoads,
         places: &[Bearing],
         wanted: &[CycleLaw],
+        tilt: bool,
         notes: &mut Vec<String>,
     ) -> Result<BearingLaws, StressError> {
         let has =
@@ -39,6 +47,18 @@ impl BearingLaws {
         let mut cavitation = design.and_then(|own| own.oil.cavitation).map_or(Cavitation::Gumbel, model_of);
         if cavitation == Cavitation::MassConserving {
             cavitation = Cavitation::Reynolds;
+        }
+        if tilt && !has(BearingLaw::Film) {
+            let (reason, hint) =
+                ("no bearing that is run has one", "tilt belongs to films: ask for those, or leave it out");
+            return Err(StressError::NoFilms { reason, hint });
+        }
+        if tilt && cavitation != Cavitation::Gumbel {
+            let (reason, hint) = (
+                "those of tilted journals are Guembel's, the file asks for another cavitation",
+                "give cavitation = \"gumbel\" in [bearings.film], or leave the tilt out",
+            );
+            return Err(StressError::NoFilms { reason, hint });
         }
         if has(BearingLaw::Film) {
             let BearingFilms { films: found, assumptions, .. } =
@@ -83,15 +103,20 @@ impl BearingLaws {
             let laws = places
                 .iter()
                 .zip(&own.films)
-                .map(|(place, film)| build(engine, *law, place, film.as_ref(), cavitation, &mut tables))
-                .collect::<Result<Vec<TrainLaw>, StressError>>()?;
+                .map(|(place, film)| {
+                    let (cavitation, film) = ((!tilt).then_some(cavitation), film.as_ref());
+                    let law = build(engine, *law, place, film, cavitation, &mut tables)?;
+                    let housing = stiffness_of_housing(place).filter(|_| law.film().is_some());
+                    Ok(HousedLaw { law, housing })
+                })
+                .collect::<Result<Vec<HousedLaw>, StressError>>()?;
             own.laws.push((*law, laws));
         }
         Ok(own)
     }
 
     /// One law a bearing.
-    pub fn of(&self, law: CycleLaw) -> &[TrainLaw] {
+    pub fn of(&self, law: CycleLaw) -> &[HousedLaw] {
         self.laws.iter().find(|(own, _)| *own == law).map_or(&[], |(_, laws)| laws)
     }
 
@@ -111,16 +136,27 @@ fn law_of(law: CycleLaw, place: &Bearing) -> BearingLaw {
     }
 }
 
+/// Of a housing that yields [N/m].
+fn stiffness_of_housing(place: &Bearing) -> Option<f64> {
+    match place.data.housing {
+        Some(Housing::Stiffness(stiffness)) => Some(stiffness),
+        Some(Housing::Rigid) | None => None,
+    }
+}
+
+/// A law; films of tilted journals where no `cavitation` is given.
 fn build(
     engine: &Engine,
     law: CycleLaw,
     place: &Bearing,
     film: Option<&BearingFilm>,
-    cavitation: Cavitation,
+    cavitation: Option<Cavitation>,
     tables: &mut Vec<Arc<FilmTable>>,
 ) -> Result<TrainLaw, StressError> {
     let clearance = 0.5 * place.data.diametral_clearance.unwrap_or(ASSUMED_CLEARANCE * place.diameter);
-    let stiffness = |usual: f64| place.data.stiffness.unwrap_or(usual);
+    // A housing that yields stands behind the bearing's own stiffness.
+    let yielding = stiffness_of_housing(place).map_or(0.0, |own| 1.0 / own);
+    let stiffness = |usual: f64| 1.0 / (1.0 / place.data.stiffness.unwrap_or(usual) + yielding);
     let damping = place.data.damping.unwrap_or(DAMPING);
     let refused = |error| StressError::Bearing { bearing: place.name(), error };
     Ok(match law_of(law, place) {
@@ -130,6 +166,13 @@ fn build(
         BearingLaw::Film => {
             let bearing =
                 JournalBearing::new(0.5 * place.diameter, place.surface.width, clearance).map_err(refused)?;
+            let oil = engine.bearing_design.as_ref().map(|design| &design.oil);
+            let viscosity = film.map(|film| film.viscosity).or(oil.and_then(|oil| oil.viscosity));
+            let viscosity = viscosity.ok_or(StressError::Films(BearingFilmsError::NoSizes))?;
+            let roughness = oil.and_then(|oil| oil.roughness).unwrap_or(0.0);
+            let Some(cavitation) = cavitation else {
+                return Ok(TrainLaw::TiltedFilm { bearing, viscosity, roughness });
+            };
             let slenderness = bearing.slenderness();
             let known = |table: &&Arc<FilmTable>| (table.slenderness() / slenderness - 1.0).abs() < 1e-9;
             let table = match tables.iter().find(known) {
@@ -140,19 +183,15 @@ fn build(
                     table
                 }
             };
-            let oil = engine.bearing_design.as_ref().map(|design| &design.oil);
-            let viscosity = film.map(|film| film.viscosity).or(oil.and_then(|oil| oil.viscosity));
-            let viscosity = viscosity.ok_or(StressError::Films(BearingFilmsError::NoSizes))?;
-            let roughness = oil.and_then(|oil| oil.roughness).unwrap_or(0.0);
             TrainLaw::Film { bearing, table, viscosity, roughness }
         }
     })
 }
 
 /// A law with its numbers, in words.
-pub(crate) fn law_words(law: &TrainLaw) -> String {
+pub(crate) fn law_words(law: &TrainLaw, housing: Option<f64>) -> String {
     let short = |value: f64| format!("{value:.3e}");
-    match law {
+    let own = match law {
         TrainLaw::Rigid => "rigid".to_owned(),
         TrainLaw::Contact { clearance, stiffness, damping } => format!(
             "contact, {:.2} um radial clearance, {} N/m, {} N s/m",
@@ -169,5 +208,15 @@ pub(crate) fn law_words(law: &TrainLaw) -> String {
             1e6 * bearing.clearance,
             1e3 * viscosity
         ),
+        TrainLaw::TiltedFilm { bearing, viscosity, .. } => format!(
+            "film ({}, journal tilted), {:.2} um radial clearance, {:.3} mPa s",
+            Cavitation::Gumbel.name(),
+            1e6 * bearing.clearance,
+            1e3 * viscosity
+        ),
+    };
+    match housing {
+        Some(stiffness) => format!("{own}, housing {} N/m", short(stiffness)),
+        None => own,
     }
 }

@@ -14,6 +14,8 @@ pub struct CycleRequest {
     pub laws: Vec<CycleLaw>,
     /// Whether every law is run with a rigid crankshaft too.
     pub rigid_crank: bool,
+    /// Whether films feel how the journals tilt: Guembel's, solved at every instant.
+    pub tilt: bool,
     /// Mean speed of crankshaft 1 [rad/s]; `None`: the highest of the engine.
     pub speed: Option<f64>,
     /// How the flywheel turns.
@@ -39,6 +41,7 @@ impl Default for CycleRequest {
             mesh: StressMesh::default(),
             laws: CycleLaw::FOUR.to_vec(),
             rigid_crank: false,
+            tilt: false,
             speed: None,
             motion: CycleSpeed::Constant,
             gas: true,

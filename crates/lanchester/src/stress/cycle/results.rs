@@ -49,12 +49,13 @@ pub(crate) fn cycle_run(
         }
         let main = train.mains.iter().position(|own| own.surface == surface);
         let pin = train.cylinders.iter().position(|own| own.surface == surface);
-        let law = match (main, pin) {
-            (Some(main), _) => &train.mains[main].law,
-            (None, Some(pin)) => &train.cylinders[pin].law,
+        let (law, housing) = match (main, pin) {
+            (Some(main), _) => (&train.mains[main].law, train.mains[main].housing),
+            (None, Some(pin)) => (&train.cylinders[pin].law, train.cylinders[pin].housing),
             (None, None) => continue,
         };
         let seen: Vec<Seen> = recorded.iter().map(|own| Seen::of(own, train, surface, main, pin)).collect();
+        let law = (law, housing);
         bearings.push(bearing(place, law, &seen, last.len(), laws.quasi_static(surface))?);
     }
     let mut fatigue = Vec::new();
@@ -143,6 +144,8 @@ struct Seen {
     entrainment: f64,
     /// Slope of journal or pin along the crank, in the block's frame.
     slope: Plane,
+    /// How much further the end of a tilted journal lies than its middle, and the rate of that.
+    tilt: [Plane; 2],
     /// Direction of the bearing's frame.
     shell: f64,
 }
@@ -173,6 +176,7 @@ impl Seen {
             rate,
             entrainment,
             slope,
+            tilt: own.tilts[main.or(pin.map(|k| mains + k)).unwrap_or_default()],
             shell,
         }
     }
@@ -180,7 +184,7 @@ impl Seen {
 
 fn bearing(
     place: &Bearing,
-    law: &TrainLaw,
+    (law, housing): (&TrainLaw, Option<f64>),
     seen: &[Seen],
     count: usize,
     quasi_static: Option<f64>,
@@ -189,15 +193,17 @@ fn bearing(
         seen.iter().map(|own| (of(own), own.theta)).max_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or_default()
     };
     let (largest_load, largest_load_angle) = most(&|own| size(own.load));
-    let (largest_eccentricity, theta) = most(&|own| size(own.eccentricity));
+    let largest_eccentricity = most(&|own| size(own.eccentricity)).0;
     let film = match law {
-        TrainLaw::Film { bearing, viscosity, roughness, .. } => {
+        TrainLaw::Film { bearing, viscosity, roughness, .. }
+        | TrainLaw::TiltedFilm { bearing, viscosity, roughness } => {
             let instants: Vec<FilmInstant> = seen
                 .iter()
                 .map(|own| FilmInstant {
                     eccentricity: own.eccentricity,
                     rate: own.rate,
                     entrainment: own.entrainment,
+                    tilt: own.tilt,
                 })
                 .collect();
             let refused = |error| StressError::Bearing { bearing: place.name(), error };
@@ -207,12 +213,15 @@ fn bearing(
                 let half = 0.5 * sign * bearing.length;
                 size([own.eccentricity[0] + half * own.slope[0], own.eccentricity[1] + half * own.slope[1]])
             };
-            let furthest = most(&|own| end(own, 1.0).max(end(own, -1.0))).0;
-            let rough = |own: &&Seen| clearance - size(own.eccentricity) < ROUGH * roughness;
+            let at_ends = |own: &Seen| end(own, 1.0).max(end(own, -1.0));
+            let is_tilted = matches!(law, TrainLaw::TiltedFilm { .. });
+            let reach = |own: &Seen| if is_tilted { at_ends(own) } else { size(own.eccentricity) };
+            let (furthest, theta) = most(&reach);
+            let rough = |own: &&Seen| clearance - reach(own) < ROUGH * roughness;
             Some(LeastFilm {
-                thickness: clearance - largest_eccentricity,
+                thickness: clearance - furthest,
                 theta,
-                at_ends: clearance - furthest,
+                at_ends: clearance - most(&at_ends).0,
                 below_roughness: seen.iter().filter(rough).count() as f64 / seen.len().max(1) as f64,
                 largest_pressure: pressure.map(|(pressure, k)| [pressure, seen[k].theta]),
                 quasi_static,
@@ -226,7 +235,7 @@ fn bearing(
         kind: place.kind,
         number: place.number,
         z: place.surface.z,
-        law: law_words(law),
+        law: law_words(law, housing),
         clearance: law.clearance(),
         load: last.iter().map(|own| own.load).collect(),
         largest_load,

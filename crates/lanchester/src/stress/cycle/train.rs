@@ -1,5 +1,6 @@
 //! From an engine to the crank train of `flex`: bearings, rods, pistons, gas.
 
+use super::laws::HousedLaw;
 use crate::pressure::cylinders::GasReport;
 use crate::stress::request::StressError;
 use crate::torque_report::bearing_sizes;
@@ -200,6 +201,7 @@ impl Composed {
                     inertia: rod.inertia.unwrap_or(points),
                 },
                 law: TrainLaw::Rigid,
+                housing: None,
                 gas: sampled(gas, index, period),
             });
         }
@@ -214,13 +216,15 @@ impl Composed {
     }
 
     /// The train with this body and these laws, one a bearing.
-    pub fn train(&self, body: CrankBody, laws: &[TrainLaw]) -> CrankTrain {
-        let main = |(number, surface): &(usize, usize)| TrainMain {
-            number: *number,
-            surface: *surface,
-            law: laws[*surface].clone(),
+    pub fn train(&self, body: CrankBody, laws: &[HousedLaw]) -> CrankTrain {
+        let main = |(number, surface): &(usize, usize)| {
+            let HousedLaw { law, housing } = laws[*surface].clone();
+            TrainMain { number: *number, surface: *surface, law, housing }
         };
-        let cylinder = |own: &TrainCylinder| TrainCylinder { law: laws[own.surface].clone(), ..own.clone() };
+        let cylinder = |own: &TrainCylinder| {
+            let HousedLaw { law, housing } = laws[own.surface].clone();
+            TrainCylinder { law, housing, ..own.clone() }
+        };
         CrankTrain {
             body,
             mains: self.mains.iter().map(main).collect(),

@@ -198,11 +198,11 @@ pub struct BearingCycle {
 /// An oil film where it is thinnest over the cycle.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct LeastFilm {
-    /// Thickness in the middle of the bearing [m].
+    /// Thickness in the middle of the bearing; of a law that knows of tilt at its ends [m].
     pub thickness: f64,
     /// Crank angle there [rad].
     pub theta: f64,
-    /// Least thickness at the ends of the bearing, with the slope of the journal [m]; below 0 the slope is more than the parallel film of the law allows.
+    /// Least thickness at the ends of the bearing, with the slope of the journal [m]; below 0 the slope is more than a law allows that knows of no tilt.
     pub at_ends: f64,
     /// Share of the cycle in which the film is below three times the roughness [1].
     pub below_roughness: f64,
@@ -307,7 +307,7 @@ impl CycleRun {
             CycleOutcome::Broken { theta } => {
                 let told = if self.recorded == 0 { "" } else { "; the last whole cycle is told" };
                 format!(
-                    "broke off at {:.0} deg: a film has no thickness left, or a rod does not reach{told}",
+                    "broke off at {:.0} deg: a film has no thickness left (roughness would carry), or a rod does not reach{told}",
                     theta.to_degrees()
                 )
             }

@@ -175,8 +175,8 @@ impl CrankCycle {
         Some(Table::of_columns(
             "cycle-films",
             "Oil films",
-            "Least thickness in the middle of each bearing, its crank angle, least thickness at its ends with the slope of the journal (below 0: the slope is more than a parallel film can \
-             tell of), share of the cycle with less than three times the roughness, largest pressure by the film solved directly, and the least film of a rigid crankshaft cut at every \
+            "Least thickness in the middle of each bearing (of films of tilted journals, at its ends), its crank angle, least thickness at its ends with the slope of the journal (below 0: \
+             the slope is more than a parallel film can tell of), share of the cycle with less than three times the roughness, largest pressure by the film solved directly, and the least film of a rigid crankshaft cut at every \
              main, quasi-static.",
             vec![
                 words("crankshaft", rows.iter().map(|(run, _)| run.name())),
@@ -284,7 +284,7 @@ impl CrankCycle {
         }
         if let Some((name, at_ends)) = self.touching_ends() {
             out.push_str(&format!(
-                " At the ends of {name} the journal leans through it: {} um, so that the least film is not one to go by.",
+                " At the ends of {name} the journal leans through it: {} um, so that the least film is not one to go by; films that feel the tilt tell one.",
                 number::short(1e6 * at_ends, 3)
             ));
         }
