@@ -149,6 +149,11 @@ impl CoefficientRange {
         [terms[0].norm(), 2.0 * terms[1..].iter().map(|term| term.norm()).sum::<f64>()]
     }
 
+    /// Coefficient of the order at `place` in the middle of the ranges.
+    pub fn middle(&self, place: usize) -> Complex64 {
+        self.terms[place * self.powers[0] * self.powers[1]]
+    }
+
     /// Coefficient of the order at `place` in the list.
     #[inline]
     pub fn at(&self, place: usize, ratio: &Lanes, offset: &Lanes) -> ComplexLanes {

@@ -3,22 +3,32 @@
 //! [`scatter`] draws samples, each addressed by its number, so that no result depends on threads; [`Scattering`] draws them stretch by
 //! stretch; [`worst_cases`] looks for the worst combination; [`assign`] tells which weighed piston and rod belongs into which cylinder.
 
+mod articulated;
+mod articulated_bound;
+mod articulated_motion;
 mod assignment;
 mod coefficients;
+mod crank_speed;
 mod deviated;
 mod error;
+mod farthest;
 mod model;
+mod moving_parts;
 mod peak;
+mod plain_rod;
+mod quadrature;
 mod request;
 mod result;
 mod sampler;
 mod scattering;
 mod share;
+mod spectrum;
 mod statistics;
 pub(crate) mod stream;
 mod study;
 mod tolerance;
 mod turned;
+mod value;
 mod worst;
 
 pub use assignment::{Assignment, AssignmentRequest, WeighedRod, assign, standard_lever};

@@ -1,9 +1,10 @@
 //! Samples drawn and judged, eight at a time.
 
 use crate::scatter::error::ScatterError;
-use crate::scatter::model::{Model, Spectrum};
+use crate::scatter::model::Model;
 use crate::scatter::peak::PeakGrid;
 use crate::scatter::request::{Output, ScatterRequest};
+use crate::scatter::spectrum::Spectrum;
 use crate::scatter::stream::{Shape, Stream};
 use crate::scatter::tolerance::{Variable, variables};
 use lanchester_numerics::Lanes;

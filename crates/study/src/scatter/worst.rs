@@ -1,6 +1,7 @@
 //! The worst combination of deviations: what cannot be exceeded, and what is reached.
 
 use crate::scatter::error::ScatterError;
+use crate::scatter::farthest::Farthest;
 use crate::scatter::request::{Output, ScatterRequest};
 use crate::scatter::sampler::Sampler;
 use crate::scatter::stream::Stream;
@@ -47,13 +48,15 @@ pub fn worst_cases(request: &ScatterRequest) -> Result<Vec<WorstCase>, ScatterEr
 /// How far an output may be from its nominal value at most.
 fn farthest(sampler: &Sampler, output: Output) -> f64 {
     let quantity = usize::from(output.is_couple());
-    let both = |place: usize| sampler.model.farthest(place)[quantity].iter().sum::<f64>();
+    let farthest = Farthest::of(&sampler.model);
     match output {
-        Output::Force { order } | Output::Couple { order } => both(order as usize - 1),
-        Output::ForceSense { order, sense } | Output::CoupleSense { order, sense } => {
-            sampler.model.farthest(order as usize - 1)[quantity][sense as usize]
+        Output::Force { order } | Output::Couple { order } => {
+            farthest.order(order as usize - 1)[quantity].iter().sum()
         }
-        Output::PeakForce | Output::PeakCouple => (0..sampler.model.orders.len()).map(both).sum(),
+        Output::ForceSense { order, sense } | Output::CoupleSense { order, sense } => {
+            farthest.order(order as usize - 1)[quantity][sense as usize]
+        }
+        Output::PeakForce | Output::PeakCouple => farthest.peak()[quantity],
     }
 }
 

@@ -6,6 +6,7 @@ mod agreement;
 mod durability;
 mod known_layouts;
 mod scatter;
+mod scatter_layouts;
 mod search;
 mod sensitivity;
 mod sensitivity_outputs;

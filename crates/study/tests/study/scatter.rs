@@ -7,11 +7,11 @@ use lanchester_task::{Distribution, Extent, Tolerance, Varied};
 use lanchester_testkit::gallery::gallery as engine;
 use proptest::prelude::*;
 
-fn tolerance(quantity: Varied, half_width: f64, extent: Extent) -> Tolerance {
+pub(crate) fn tolerance(quantity: Varied, half_width: f64, extent: Extent) -> Tolerance {
     Tolerance { quantity, half_width, distribution: Distribution::Normal { sigmas: 3.0 }, extent }
 }
 
-fn all_outputs() -> Vec<Output> {
+pub(crate) fn all_outputs() -> Vec<Output> {
     let mut outputs = vec![Output::PeakForce, Output::PeakCouple];
     for order in [1, 2] {
         outputs.extend([Output::Force { order }, Output::Couple { order }]);
@@ -22,7 +22,7 @@ fn all_outputs() -> Vec<Output> {
     outputs
 }
 
-fn request(engine: Engine, tolerances: Vec<Tolerance>, samples: u64) -> ScatterRequest {
+pub(crate) fn request(engine: Engine, tolerances: Vec<Tolerance>, samples: u64) -> ScatterRequest {
     ScatterRequest {
         engine,
         speed: None,
@@ -36,7 +36,7 @@ fn request(engine: Engine, tolerances: Vec<Tolerance>, samples: u64) -> ScatterR
 }
 
 /// Half widths of everything, larger than any workshop's.
-fn everything(engine: &Engine) -> Vec<Tolerance> {
+pub(crate) fn everything(engine: &Engine) -> Vec<Tolerance> {
     let mut list = vec![
         tolerance(Varied::PistonMass, 0.02, Extent::PerPart),
         tolerance(Varied::BigEndMass, 0.02, Extent::PerPart),
@@ -63,7 +63,7 @@ fn everything(engine: &Engine) -> Vec<Tolerance> {
 }
 
 /// The engine with deviations, tolerance by tolerance and part by part.
-fn deviated(engine: &Engine, tolerances: &[Tolerance], deviations: &[f64]) -> Engine {
+pub(crate) fn deviated(engine: &Engine, tolerances: &[Tolerance], deviations: &[f64]) -> Engine {
     let mut moved = engine.clone().into_parts();
     let mut next = deviations.iter();
     for tolerance in tolerances {
@@ -115,7 +115,7 @@ fn deviated(engine: &Engine, tolerances: &[Tolerance], deviations: &[f64]) -> En
 }
 
 /// An output of an engine, from the mechanism.
-fn wanted(engine: &Engine, output: Output) -> f64 {
+pub(crate) fn wanted(engine: &Engine, output: Output) -> f64 {
     let loads = total_loads(engine, &LoadRequest::default()).expect("loads");
     let order = |n: u32| loads.orders.iter().find(|o| o.order == f64::from(n)).expect("listed");
     match output {
