@@ -31,7 +31,7 @@ const MOST: usize = 2048;
 /// Fewest angles of the sums for the worst case.
 const FEWEST_OF_BOUND: usize = 256;
 
-/// Error of an order of the reach over the rod's length that is let stand: one rounding.
+/// Rounding of a reach over the rod's length, as far as it is not short: error of an order that is let stand.
 const EXACT: f64 = 1e-16;
 
 /// Angles by which the harmonics are found that matter.
@@ -42,6 +42,8 @@ const LOOKED: usize = 256;
 pub(crate) struct ArticulatedRod {
     pub parts: MovingParts,
     pub pin: KnucklePin,
+    /// The reach over the rod's length is nowhere less than this.
+    least_reach: f64,
 }
 
 /// The articulated rods of one master.
@@ -74,11 +76,12 @@ pub(crate) fn articulated_rods(
             continue;
         }
         let pin = KnucklePin { radius: knuckle_radius, angle: knuckle_angle };
-        let rod = ArticulatedRod { parts: MovingParts::of(engine, own, all), pin };
-        if turn_boxes(&rod, master).is_none() {
+        let mut rod = ArticulatedRod { parts: MovingParts::of(engine, own, all), pin, least_reach: 1.0 };
+        let Some(turn) = turn_boxes(&rod, master) else {
             let reason = "its crank could not turn";
             return Err(ScatterError::Impossible { cylinder: own + 1, reason });
-        }
+        };
+        rod.least_reach = turn.least_reach;
         rod.parts.check_masses(own + 1)?;
         rods.push(rod);
     }
@@ -280,12 +283,20 @@ impl ArticulatedRods {
     pub fn set_angles(&mut self, master: &PlainRod) {
         let numbers: Vec<u32> = master.harmonics.iter().map(|harmonic| harmonic.number).collect();
         let highest = numbers.iter().copied().max().unwrap_or(1) as usize;
-        let corners: Vec<LaneDimensions> = self.rods.iter().flat_map(|rod| rod.corners(master)).collect();
+        // Near locking the reach is the root of a small difference, and its rounding the larger.
+        let corners: Vec<(LaneDimensions, f64)> = self
+            .rods
+            .iter()
+            .flat_map(|rod| rod.corners(master).into_iter().map(|corner| (corner, EXACT / rod.least_reach)))
+            .collect();
         let mut count = FEWEST.max((highest + 1).next_multiple_of(4));
         loop {
             self.quadrature = Quadrature::new(count, &numbers);
             let finer = Quadrature::new(2 * count, &numbers);
-            if count >= MOST || corners.iter().all(|corner| agree(corner, &self.quadrature, &finer, &numbers))
+            if count >= MOST
+                || corners
+                    .iter()
+                    .all(|(corner, exact)| agree(corner, *exact, &self.quadrature, &finer, &numbers))
             {
                 return;
             }
@@ -316,8 +327,8 @@ impl ArticulatedRods {
     }
 }
 
-/// Whether two quadratures give the same orders of the reach.
-fn agree(rod: &LaneDimensions, one: &Quadrature, other: &Quadrature, numbers: &[u32]) -> bool {
+/// Whether two quadratures give the same orders of the reach, to `exact` of the rod's length.
+fn agree(rod: &LaneDimensions, exact: f64, one: &Quadrature, other: &Quadrature, numbers: &[u32]) -> bool {
     let orders = |quadrature: &Quadrature| {
         let (mut roots, mut orders) = (MasterRoots::new(), Vec::new());
         quadrature.master_roots(&rod.radius, &rod.master_length, &rod.master_offset, &mut roots);
@@ -329,7 +340,7 @@ fn agree(rod: &LaneDimensions, one: &Quadrature, other: &Quadrature, numbers: &[
         let weight = 2.0 * f64::from(number).powi(2);
         (0..LANES).all(|i| {
             let off = Complex64::new(a.re[i] - b.re[i], a.im[i] - b.im[i]).norm();
-            off <= EXACT * weight * rod.length[i]
+            off <= exact * weight * rod.length[i]
         })
     })
 }

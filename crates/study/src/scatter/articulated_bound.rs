@@ -33,15 +33,22 @@ pub(crate) struct ArticulatedBound {
     pub peak: [f64; 2],
 }
 
-/// Boxes of crank angles that cover a turn, on each of which the rod reaches its piston pin everywhere within the tolerances; `None`: it
-/// is not known to.
-pub(crate) fn turn_boxes(rod: &ArticulatedRod, master: &PlainRod) -> Option<Vec<Interval>> {
+/// A turn in boxes of crank angles, on each of which the rod reaches its piston pin everywhere within the tolerances.
+#[derive(Default)]
+pub(crate) struct TurnBoxes {
+    boxes: Vec<Interval>,
+    /// Its reach along the cylinder over its length is nowhere less than this.
+    pub least_reach: f64,
+}
+
+/// The turn of a rod in boxes; `None`: it is not known to reach everywhere.
+pub(crate) fn turn_boxes(rod: &ArticulatedRod, master: &PlainRod) -> Option<TurnBoxes> {
     let whole = dimensions(rod, master, |nominal, half| Interval::new(nominal - half, nominal + half));
-    let least = REACH * whole.length.low.powi(2);
+    let square = whole.length.low.powi(2);
     if !(whole.length.low > 0.0) {
         return None;
     }
-    let mut found = Vec::new();
+    let mut found = TurnBoxes { boxes: Vec::new(), least_reach: 1.0 };
     let mut open: Vec<(Interval, u32)> = (0..BOXES)
         .map(|k| {
             let at = |k: usize| TAU * k as f64 / BOXES as f64;
@@ -49,8 +56,10 @@ pub(crate) fn turn_boxes(rod: &ArticulatedRod, master: &PlainRod) -> Option<Vec<
         })
         .collect();
     while let Some((angles, left)) = open.pop() {
-        if whole.reach_square(&rod.pin, angles).low > least {
-            found.push(angles);
+        let least = whole.reach_square(&rod.pin, angles).low / square;
+        if least > REACH {
+            found.boxes.push(angles);
+            found.least_reach = found.least_reach.min(least.sqrt());
         } else if left == 0 {
             return None;
         } else {
@@ -85,7 +94,7 @@ impl ArticulatedBound {
         });
         let size = |range: Interval| range.sizes()[1];
         let (mut mean, mut most, mut peak, mut rate) = (0.0, 0.0f64, 0.0f64, 0.0f64);
-        for turn in turn_boxes(rod, master).unwrap_or_default() {
+        for turn in turn_boxes(rod, master).unwrap_or_default().boxes {
             let fixed = Line { value: turn, by: [Interval::of(0.0)] };
             let second = anywhere.force(&rod.pin, Jet { value: fixed, by: [Line::of(0.0)] });
             let second = 0.5 * size(second.by[0].by[0]);

@@ -6,7 +6,10 @@
 //! R(p, q) = c + SUM over j of ( P_j piston[p(j)] + P_j small[q(j)] + B_j big[q(j)] )
 //! J = |R|^2        R: force forward and backward, couple forward and backward over a lever, as eight numbers
 //! ```
-//! Pistons add one of n! vectors, rods one of n!: the least `|R|` is the closest pair of two sets of points. Up to eight
+//! Rods of one kind and length take each other's places: a master rod and an articulated rod, or a fork and a blade, do not. The big end of
+//! an articulated rod counts where it moves, at its knuckle pin.
+//!
+//! Pistons add one of n! vectors, rods one of n! where all are of one kind: the least `|R|` is the closest pair of two sets of points. Up to eight
 //! cylinders both sets are gone through: rods sorted by the number that spreads most, and for each order of the
 //! pistons only rods that lie within the best distance so far in this number. Nothing else is left out, so that the answer
 //! is proved. Beyond eight cylinders, exchanges of two parts are repeated until none helps; the bound then comes from
@@ -14,7 +17,7 @@
 
 use crate::scatter::error::ScatterError;
 use lanchester_mechanism::{LoadRequest, Mechanism, Part, Selection};
-use lanchester_model::{Engine, EngineParts, Fault, RodJoint};
+use lanchester_model::{Cylinder, Engine, EngineParts, Fault, RodJoint};
 use num_complex::Complex64;
 use serde::Serialize;
 
@@ -77,6 +80,26 @@ struct Task {
     big_end: Vec<Vector>,
     pistons: Vec<f64>,
     rods: Vec<WeighedRod>,
+    /// By cylinder: the first one whose rod is of the same kind and length.
+    kinds: Vec<usize>,
+}
+
+/// For each cylinder the first one whose rod could be put into it.
+fn rod_kinds(engine: &Engine) -> Vec<usize> {
+    let kind = |cylinder: &Cylinder| {
+        let joint = match cylinder.rod.joint {
+            RodJoint::Crankpin => 0,
+            RodJoint::Fork => 1,
+            RodJoint::Blade => 2,
+            RodJoint::Articulated { .. } => 3,
+        };
+        // A master has eyes for the knuckle pins.
+        let index = engine.cylinders.iter().position(|own| std::ptr::eq(own, cylinder));
+        let riders = |own: &&Cylinder| matches!(own.rod.joint, RodJoint::Articulated { master, .. } if Some(master) == index);
+        (joint, engine.cylinders.iter().filter(riders).count(), cylinder.rod.length)
+    };
+    let kinds: Vec<_> = engine.cylinders.iter().map(kind).collect();
+    kinds.iter().map(|own| kinds.iter().position(|first| first == own).unwrap_or(0)).collect()
 }
 
 /// The lever where nobody gives one [m]: distance of the outer mounts along the crank; without them of the outer cylinders, or the stroke of
@@ -152,12 +175,6 @@ impl Task {
             let got = request.lever;
             return Err(ScatterError::Number { quantity: "lever [m]", needed: "positive and finite", got });
         }
-        if let Some(at) =
-            request.engine.cylinders.iter().position(|c| matches!(c.rod.joint, RodJoint::Articulated { .. }))
-        {
-            let got = format!("an articulated rod in cylinder {}", at + 1);
-            return Err(ScatterError::Engine { needed: "plain rods", got });
-        }
         let load_request =
             LoadRequest { speed: request.speed, max_order: 1, samples: 1, ..LoadRequest::default() };
         let residual = |engine: &Engine, selection: Selection| -> Result<Vector, ScatterError> {
@@ -193,6 +210,7 @@ impl Task {
             big_end: Vec::new(),
             pistons: request.pistons.clone(),
             rods: request.rods.clone(),
+            kinds: rod_kinds(&request.engine),
         };
         // The throws' own unbalance is among the rotating parts: what a kilogram adds is the difference.
         let without = residual(&bare, Selection::Part(Part::Rotating))?;
@@ -201,7 +219,9 @@ impl Task {
             task.reciprocating.push(residual(&piston, Selection::Part(Part::Reciprocating))?);
             let big_end = valid(bare.with(|parts| parts.cylinders[index].rod.big_end_mass = 1.0));
             let with = residual(&big_end, Selection::Part(Part::Rotating))?;
-            task.big_end.push(std::array::from_fn(|k| with[k] - without[k]));
+            // What a knuckle pin moves beside the crankpin is among the reciprocating parts; of other rods nothing is.
+            let beside = residual(&big_end, Selection::Part(Part::Reciprocating))?;
+            task.big_end.push(std::array::from_fn(|k| with[k] - without[k] + beside[k]));
         }
         Ok(task)
     }
@@ -243,6 +263,9 @@ impl Task {
             for a in 0..count {
                 for b in a + 1..count {
                     for of_rods in [false, true] {
+                        if of_rods && self.kinds[a] != self.kinds[b] {
+                            continue;
+                        }
                         let order = if of_rods { &mut rods } else { &mut pistons };
                         order.swap(a, b);
                         let trial = self.square(&pistons, &rods);
@@ -267,7 +290,10 @@ impl Task {
         let orders = permutations(self.pistons.len());
         let mut least = self.square(&found.0, &found.1);
         let mut best = found;
-        let mut rods: Vec<(Vector, usize)> = orders.iter().map(|o| self.of_rods(o)).zip(0..).collect();
+        let fits = |order: &[usize]| order.iter().enumerate().all(|(a, &b)| self.kinds[a] == self.kinds[b]);
+        let fitting = orders.iter().zip(0..).filter(|(order, _)| fits(order));
+        let mut rods: Vec<(Vector, usize)> =
+            fitting.map(|(order, place)| (self.of_rods(order), place)).collect();
         let spread = |k: usize| {
             let values = rods.iter().map(|r| r.0[k]);
             let (low, high) =

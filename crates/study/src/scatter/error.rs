@@ -77,7 +77,7 @@ pub enum ScatterError {
     Sample(Fault),
     /// An engine of a kind whose scatter is not computed.
     #[error(
-        "the scatter needs {needed}, got {got}\nhint: its tolerances are those of plain rods on one crankshaft, with shafts at whole multiples of its speed"
+        "the scatter needs {needed}, got {got}\nhint: the orders of a scatter are whole ones: give it a ratio without a fraction, or leave it out of the file"
     )]
     Engine {
         /// What is needed.

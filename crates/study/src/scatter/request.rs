@@ -95,7 +95,7 @@ pub struct Limit {
 /// What to draw and what to tell.
 #[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct ScatterRequest {
-    /// The nominal engine: one crankshaft, plain rods.
+    /// The nominal engine; crankshafts and shafts turn at whole multiples of the speed of crankshaft 1.
     pub engine: Engine,
     /// Speed of the crankshaft [rad/s]; `None`: the highest of the engine.
     pub speed: Option<f64>,

@@ -130,8 +130,16 @@ pub(crate) fn wanted(engine: &Engine, output: Output) -> f64 {
     }
 }
 
-const ENGINES: [&str; 5] =
-    ["v6-60", "in-line-4-lanchester", "in-line-3-shaft", "boxer-4", "single-two-shafts"];
+const ENGINES: [&str; 8] = [
+    "v6-60",
+    "in-line-4-lanchester",
+    "in-line-3-shaft",
+    "boxer-4",
+    "single-two-shafts",
+    "radial-5",
+    "square-4",
+    "opposed-piston-3",
+];
 
 /// The worst case's corner is an engine with its deviations: what it attains must be what the mechanism says, peaks over
 /// the continuous angle included, and no random engine within the tolerances may lie beyond the bound.
@@ -319,7 +327,12 @@ fn weighed(count: usize) -> impl Strategy<Value = (Vec<f64>, Vec<WeighedRod>)> {
     (prop::collection::vec(0.45..0.5f64, count), prop::collection::vec(rod, count))
 }
 
-fn with_parts(engine: &Engine, parts: &AssignmentRequest, pistons: &[usize], rods: &[usize]) -> f64 {
+pub(crate) fn with_parts(
+    engine: &Engine,
+    parts: &AssignmentRequest,
+    pistons: &[usize],
+    rods: &[usize],
+) -> f64 {
     let mut built = engine.clone();
     built = built
         .with(|built| {
@@ -338,7 +351,7 @@ fn with_parts(engine: &Engine, parts: &AssignmentRequest, pistons: &[usize], rod
     (force + couple / parts.lever.powi(2)).sqrt()
 }
 
-fn orders(count: usize) -> Vec<Vec<usize>> {
+pub(crate) fn orders(count: usize) -> Vec<Vec<usize>> {
     if count == 0 {
         return vec![Vec::new()];
     }
