@@ -1,4 +1,5 @@
-//! How long a million samples of a V6 take on all cores: orders 1 and 2, and with true peaks over the continuous angle.
+//! How long a million samples of a V6 and a hundred thousand of a radial nine take on all cores: orders 1 and 2, and with true peaks over
+//! the continuous angle.
 use criterion::{Criterion, criterion_group, criterion_main};
 use lanchester_file::{read, template};
 use lanchester_study::scatter::*;
@@ -11,9 +12,10 @@ fn tolerance(quantity: Varied, half_width: f64) -> Tolerance {
 }
 
 fn bench(criterion: &mut Criterion) {
-    let engine = read(template("v6-60").expect("it is in the gallery").text).engine().expect("it is valid");
-    let request = |outputs: Vec<Output>| ScatterRequest {
-        engine: engine.clone(),
+    let engine =
+        |name: &str| read(template(name).expect("it is in the gallery").text).engine().expect("it is valid");
+    let request = |name: &str, samples: u64, outputs: &[Output]| ScatterRequest {
+        engine: engine(name),
         speed: None,
         tolerances: vec![
             tolerance(Varied::PistonMass, 0.002),
@@ -24,10 +26,10 @@ fn bench(criterion: &mut Criterion) {
             tolerance(Varied::ThrowAngle, 0.003),
             tolerance(Varied::ThrowUnbalance, 0.0002),
         ],
-        outputs,
+        outputs: outputs.to_vec(),
         limits: Vec::new(),
         percentiles: vec![0.5, 0.95, 0.99],
-        samples: 1_000_000,
+        samples,
         seed: 1,
     };
     let mut orders: Vec<Output> = Vec::new();
@@ -35,12 +37,17 @@ fn bench(criterion: &mut Criterion) {
         orders.extend([Output::Force { order }, Output::Couple { order }]);
     }
     let peaks = [&orders[..], &[Output::PeakForce, Output::PeakCouple]].concat();
-    let mut group = criterion.benchmark_group("a million samples of a V6");
-    for (name, outputs) in [("orders 1 and 2", orders), ("with true peaks", peaks)] {
-        let request = request(outputs);
-        group.bench_function(name, |b| b.iter(|| black_box(scatter(&request))));
+    for (title, name, samples) in [
+        ("a million samples of a V6", "v6-60", 1_000_000),
+        ("100 000 samples of a radial nine", "radial-9", 100_000),
+    ] {
+        let mut group = criterion.benchmark_group(title);
+        for (what, outputs) in [("orders 1 and 2", &orders), ("with true peaks", &peaks)] {
+            let request = request(name, samples, outputs);
+            group.bench_function(what, |b| b.iter(|| black_box(scatter(&request))));
+        }
+        group.finish();
     }
-    group.finish();
 }
 
 criterion_group! {

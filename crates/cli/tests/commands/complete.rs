@@ -34,9 +34,6 @@ const COMMANDS: [&[&str]; 14] = [
 fn exception(command: &str, engine: &str) -> Option<(i32, &'static str)> {
     let is = |names: &[&str]| names.contains(&engine);
     match command {
-        // The kernel of the scatter has rods on the pins of one crankshaft.
-        "scatter" if is(&RADIALS) => Some((2, "the scatter needs plain rods, got an articulated rod")),
-        "scatter" if is(&GEARED) => Some((2, "the scatter needs one crankshaft, got 2 crankshafts")),
         // A web between two crankpins carries no counterweight, and the short form would put one there.
         "counterweight design" if is(&SHARED_WEBS) => Some((2, "no counterweight stands on a web")),
         // It has no counterweights.

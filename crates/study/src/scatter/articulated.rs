@@ -6,18 +6,18 @@
 //! big end:   m r W^2 (1/2 k c_n + (1 - k) [n = 1])  times  e^{i (n phi + b_m)} forward,
 //!            1/2 m r W^2 k conj(c_n)                times  e^{i (-n phi + b_m)} backward
 //! ```
-//! (book, eq. 30.9 and 30.10). `c_n` are the master's coefficients, `k = (g / l_m) e^{i psi}`, and `U_n` the orders of the rod's reach
+//! (book, eq. 30.8 and 30.9). `c_n` are the master's coefficients, `k = (g / l_m) e^{i psi}`, and `U_n` the orders of the rod's reach
 //! along its cylinder, from [`crate::scatter::quadrature`]; other symbols as in [`crate::scatter::articulated_motion`].
 
 use crate::scatter::articulated_bound::{ArticulatedBound, turn_boxes};
-use crate::scatter::articulated_motion::{Dimensions, KnucklePin, VARIED};
+use crate::scatter::articulated_motion::KnucklePin;
+use crate::scatter::articulated_rod::ArticulatedRod;
 use crate::scatter::error::ScatterError;
-use crate::scatter::model::{HIGHEST, NOTHING};
 use crate::scatter::moving_parts::MovingParts;
 use crate::scatter::plain_rod::PlainRod;
 use crate::scatter::quadrature::{LaneDimensions, MasterRoots, Quadrature};
-use crate::scatter::spectrum::Spectrum;
-use crate::scatter::value::{Deviations, Value};
+use crate::scatter::spectrum::{HIGHEST, NOTHING, Spectrum};
+use crate::scatter::value::Deviations;
 use lanchester_model::{Engine, RodJoint};
 use lanchester_numerics::{ComplexLanes, LANES, Lanes};
 use num_complex::Complex64;
@@ -36,15 +36,6 @@ const EXACT: f64 = 1e-16;
 
 /// Angles by which the harmonics are found that matter.
 const LOOKED: usize = 256;
-
-/// An articulated rod with its piston.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct ArticulatedRod {
-    pub parts: MovingParts,
-    pub pin: KnucklePin,
-    /// The reach over the rod's length is nowhere less than this.
-    least_reach: f64,
-}
 
 /// The articulated rods of one master.
 #[derive(Debug, Clone, PartialEq)]
@@ -90,50 +81,6 @@ pub(crate) fn articulated_rods(
 }
 
 impl ArticulatedRod {
-    /// Its dimensions: nominal value and how far it may be off, in the order of [`Dimensions::from_array`].
-    pub fn dimensions(&self, master: &PlainRod) -> [[f64; 2]; VARIED] {
-        let of = |value: &Value| [value.nominal, value.half];
-        let (own, driver) = (&self.parts, &master.parts);
-        let turn = [driver.axis.nominal - own.axis.nominal, driver.axis.half + own.axis.half];
-        [of(&master.radius), of(&driver.length), of(&driver.offset), turn, of(&own.length), of(&own.offset)]
-    }
-
-    /// All corners of the tolerances of its dimensions, eight at a time.
-    fn corners(&self, master: &PlainRod) -> Vec<LaneDimensions> {
-        let dimensions = self.dimensions(master);
-        let varied: Vec<usize> = (0..VARIED).filter(|&k| dimensions[k][1] > 0.0).collect();
-        let corner = |number: usize| {
-            let mut values = dimensions.map(|[nominal, _]| nominal);
-            for (bit, &k) in varied.iter().enumerate() {
-                let side = if number >> bit & 1 == 1 { 1.0 } else { -1.0 };
-                values[k] += side * dimensions[k][1];
-            }
-            Dimensions::from_array(values)
-        };
-        let corners: Vec<Dimensions<f64>> = (0..1 << varied.len()).map(corner).collect();
-        corners
-            .chunks(LANES)
-            .map(|some| {
-                let lane = |i: usize| some[i.min(some.len() - 1)];
-                let direction = |angle: &dyn Fn(usize) -> f64| ComplexLanes {
-                    re: Lanes::each(|i| angle(i).cos()),
-                    im: Lanes::each(|i| angle(i).sin()),
-                };
-                let arm = direction(&|i| self.pin.angle + lane(i).turn);
-                let arm_length = Lanes::each(|i| self.pin.radius / lane(i).master_length);
-                LaneDimensions {
-                    radius: Lanes::each(|i| lane(i).radius),
-                    master_length: Lanes::each(|i| lane(i).master_length),
-                    master_offset: Lanes::each(|i| lane(i).master_offset),
-                    turn: direction(&|i| lane(i).turn),
-                    arm: ComplexLanes { re: arm.re * arm_length, im: arm.im * arm_length },
-                    length: Lanes::each(|i| lane(i).length),
-                    offset: Lanes::each(|i| lane(i).offset),
-                }
-            })
-            .collect()
-    }
-
     /// Adds force and couple of eight samples, from the motion of its master.
     fn add_to(
         &self,

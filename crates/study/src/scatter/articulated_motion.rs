@@ -15,7 +15,7 @@
 //! | l, e          | length and net offset of the articulated rod                      | m    |
 //! | s             | piston pin from the crank's axis along its own cylinder           | m    |
 //!
-//! Derivatives are by phi. (Book, eq. 30.8.)
+//! Derivatives are by phi (book, eq. 7.1 to 7.4).
 
 use lanchester_numerics::Field;
 

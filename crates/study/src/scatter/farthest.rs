@@ -2,8 +2,9 @@
 //!
 //! What each part may be off by its masses, lengths, angles and plane is summed, in whatever direction it points (book, eq. 30.5).
 
-use crate::scatter::articulated::ArticulatedRod;
+use crate::scatter::articulated::ArticulatedRods;
 use crate::scatter::articulated_bound::ArticulatedBound;
+use crate::scatter::articulated_rod::ArticulatedRod;
 use crate::scatter::coefficients::CoefficientRange;
 use crate::scatter::model::Model;
 use crate::scatter::plain_rod::PlainRod;
@@ -30,7 +31,7 @@ impl Sums {
 
 impl<'a> Farthest<'a> {
     pub fn of(model: &'a Model) -> Farthest<'a> {
-        let of_master = |rods: &'a crate::scatter::articulated::ArticulatedRods| {
+        let of_master = |rods: &'a ArticulatedRods| {
             let master = &model.cylinders[rods.master];
             rods.bounds(master).map(move |(rod, bound)| (master, rod, bound))
         };

@@ -6,6 +6,7 @@
 mod articulated;
 mod articulated_bound;
 mod articulated_motion;
+mod articulated_rod;
 mod assignment;
 mod coefficients;
 mod crank_speed;

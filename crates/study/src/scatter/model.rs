@@ -10,20 +10,15 @@
 use crate::scatter::articulated::{ArticulatedRods, articulated_rods};
 use crate::scatter::crank_speed::CrankSpeed;
 use crate::scatter::error::ScatterError;
+use crate::scatter::moving_parts::MovingParts;
 use crate::scatter::plain_rod::PlainRod;
-use crate::scatter::spectrum::Spectrum;
+use crate::scatter::spectrum::{HIGHEST, Spectrum};
 use crate::scatter::tolerance::Variable;
 use crate::scatter::value::{Deviations, Value};
 use lanchester_mechanism::{LoadRequest, Mechanism};
 use lanchester_model::{Engine, RodJoint};
 use lanchester_numerics::{ComplexLanes, Lanes};
 use lanchester_task::{Tolerance, Varied};
-
-/// Orders below this share of the first are left out.
-pub(crate) const NOTHING: f64 = 1e-13;
-
-/// Highest harmonic of a crankshaft that is looked at.
-pub(crate) const HIGHEST: u32 = 60;
 
 /// What turns with a crankshaft or a shaft.
 #[derive(Debug, Clone, PartialEq)]
@@ -172,7 +167,7 @@ impl Model {
 
     /// What all masses together could exert [N], and at their planes [N m]: what rounding and resolution are measured by.
     pub fn scale(&self) -> [f64; 2] {
-        let of_rod = |rod: &PlainRod, parts: &crate::scatter::moving_parts::MovingParts| {
+        let of_rod = |rod: &PlainRod, parts: &MovingParts| {
             (parts.largest_mass() * rod.radius.largest() * rod.crank.square, parts.plane.largest())
         };
         let plain = self.cylinders.iter().map(|rod| of_rod(rod, &rod.parts));

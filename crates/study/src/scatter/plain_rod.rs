@@ -9,9 +9,8 @@
 use crate::scatter::coefficients::{CoefficientRange, Span};
 use crate::scatter::crank_speed::{CrankSpeed, Harmonic};
 use crate::scatter::error::ScatterError;
-use crate::scatter::model::NOTHING;
 use crate::scatter::moving_parts::MovingParts;
-use crate::scatter::spectrum::Spectrum;
+use crate::scatter::spectrum::{NOTHING, Spectrum};
 use crate::scatter::value::{Deviations, Value};
 use lanchester_mechanism::exact_coefficients;
 use lanchester_model::Engine;

@@ -2,6 +2,12 @@
 
 use lanchester_numerics::{ComplexLanes, Lanes};
 
+/// Orders below this share of the first are left out.
+pub(crate) const NOTHING: f64 = 1e-13;
+
+/// Highest harmonic of a crankshaft that is looked at.
+pub(crate) const HIGHEST: u32 = 60;
+
 /// Force [N] and couple about the origin [N m] by order and sense: 0 forward, 1 backward.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct Spectrum {
