@@ -2,9 +2,7 @@
 //!
 //! What each part may be off by its masses, lengths, angles and plane is summed, in whatever direction it points (book, eq. 30.5).
 
-use crate::scatter::articulated::ArticulatedRods;
-use crate::scatter::articulated_bound::ArticulatedBound;
-use crate::scatter::articulated_rod::ArticulatedRod;
+use crate::scatter::articulated::{ArticulatedBound, ArticulatedRod, ArticulatedRods};
 use crate::scatter::coefficients::CoefficientRange;
 use crate::scatter::model::Model;
 use crate::scatter::plain_rod::PlainRod;

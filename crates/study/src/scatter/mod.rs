@@ -4,9 +4,6 @@
 //! stretch; [`worst_cases`] looks for the worst combination; [`assign`] tells which weighed piston and rod belongs into which cylinder.
 
 mod articulated;
-mod articulated_bound;
-mod articulated_motion;
-mod articulated_rod;
 mod assignment;
 mod coefficients;
 mod crank_speed;
@@ -17,7 +14,6 @@ mod model;
 mod moving_parts;
 mod peak;
 mod plain_rod;
-mod quadrature;
 mod request;
 mod result;
 mod sampler;

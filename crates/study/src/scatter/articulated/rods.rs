@@ -7,15 +7,15 @@
 //!            1/2 m r W^2 k conj(c_n)                times  e^{i (-n phi + b_m)} backward
 //! ```
 //! (book, eq. 30.8 and 30.9). `c_n` are the master's coefficients, `k = (g / l_m) e^{i psi}`, and `U_n` the orders of the rod's reach
-//! along its cylinder, from [`crate::scatter::quadrature`]; other symbols as in [`crate::scatter::articulated_motion`].
+//! along its cylinder, from [`crate::scatter::articulated::quadrature`]; other symbols as in [`crate::scatter::articulated::motion`].
 
-use crate::scatter::articulated_bound::{ArticulatedBound, turn_boxes};
-use crate::scatter::articulated_motion::KnucklePin;
-use crate::scatter::articulated_rod::ArticulatedRod;
+use crate::scatter::articulated::bound::{ArticulatedBound, turn_boxes};
+use crate::scatter::articulated::motion::KnucklePin;
+use crate::scatter::articulated::quadrature::{LaneDimensions, MasterRoots, Quadrature};
+use crate::scatter::articulated::rod::ArticulatedRod;
 use crate::scatter::error::ScatterError;
 use crate::scatter::moving_parts::MovingParts;
 use crate::scatter::plain_rod::PlainRod;
-use crate::scatter::quadrature::{LaneDimensions, MasterRoots, Quadrature};
 use crate::scatter::spectrum::{HIGHEST, NOTHING, Spectrum};
 use crate::scatter::value::Deviations;
 use lanchester_model::{Engine, RodJoint};

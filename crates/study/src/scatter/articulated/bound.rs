@@ -8,8 +8,8 @@
 //! tolerances and over boxes of crank angles that cover a turn: their mean over the turn bounds every order, their largest
 //! the peak.
 
-use crate::scatter::articulated_motion::{Dimensions, VARIED};
-use crate::scatter::articulated_rod::ArticulatedRod;
+use crate::scatter::articulated::motion::{Dimensions, VARIED};
+use crate::scatter::articulated::rod::ArticulatedRod;
 use crate::scatter::plain_rod::PlainRod;
 use lanchester_numerics::{Interval, Jet, Ring};
 use num_complex::Complex64;

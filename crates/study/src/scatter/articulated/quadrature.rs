@@ -10,7 +10,7 @@
 use lanchester_numerics::{ComplexLanes, Lanes};
 use std::f64::consts::TAU;
 
-/// Lengths and angle of the motion, of eight samples; see [`crate::scatter::articulated_motion`].
+/// Lengths and angle of the motion, of eight samples; see [`crate::scatter::articulated::motion`].
 pub(crate) struct LaneDimensions {
     pub radius: Lanes,
     pub master_length: Lanes,

@@ -1,9 +1,9 @@
 //! An articulated rod with its piston: its dimensions, and how far they may be off.
 
-use crate::scatter::articulated_motion::{Dimensions, KnucklePin, VARIED};
+use crate::scatter::articulated::motion::{Dimensions, KnucklePin, VARIED};
+use crate::scatter::articulated::quadrature::LaneDimensions;
 use crate::scatter::moving_parts::MovingParts;
 use crate::scatter::plain_rod::PlainRod;
-use crate::scatter::quadrature::LaneDimensions;
 use crate::scatter::value::Value;
 use lanchester_numerics::{ComplexLanes, LANES, Lanes};
 
