@@ -49,7 +49,7 @@ fn farthest_sample(engine: &Engine, tolerances: &[Tolerance], samples: u64) -> (
         for (place, output) in all_outputs().into_iter().enumerate() {
             let (got, wanted) = (drawn.outputs[place][sample], wanted(&built, output));
             let off = (got - wanted).abs() / scale(engine);
-            if !(off <= worst.0) {
+            if off > worst.0 || off.is_nan() {
                 worst = (off, format!("{} {}, sample {sample}: {got} {wanted}", engine.name, output.name()));
             }
         }

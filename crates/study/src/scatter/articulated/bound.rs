@@ -45,7 +45,7 @@ pub(crate) struct TurnBoxes {
 pub(crate) fn turn_boxes(rod: &ArticulatedRod, master: &PlainRod) -> Option<TurnBoxes> {
     let whole = dimensions(rod, master, |nominal, half| Interval::new(nominal - half, nominal + half));
     let square = whole.length.low.powi(2);
-    if !(whole.length.low > 0.0) {
+    if whole.length.low <= 0.0 {
         return None;
     }
     let mut found = TurnBoxes { boxes: Vec::new(), least_reach: 1.0 };
