@@ -86,6 +86,10 @@ impl PeakGrid {
         for j in 0..count {
             best = best.max(at(j));
         }
+        // Nothing at all angles: no angle is worth a closer look.
+        if best == 0.0 {
+            return 0.0;
+        }
         let mut found = best;
         for j in 0..count {
             let here = at(j);
