@@ -9,7 +9,7 @@ use super::law::TrainLaw;
 use super::motion::Turn;
 use super::parts::{CrankTrain, TrainCylinder};
 use super::plane::{Plane, QUARTER, Square, length, plus, times, turn};
-use super::spot::{Spot, furthest, middle, moment, work};
+use super::spot::{Spot, middle, moment, work};
 use super::ties::{Kind, Moving, Shell, Tie, moving};
 use crate::sparse::dot;
 use lanchester_numerics::{Lu, StageSystem};
@@ -465,7 +465,7 @@ impl<'a> Assembly<'a> {
                 Kind::Joined(_) => return true,
             };
             let e = tie.within(&at.place, centre, y);
-            law.film().is_none_or(|bearing| furthest(&e) < (1.0 - LEAST_FILM) * bearing.clearance)
+            law.film().is_none_or(|bearing| length(middle(&e)) < (1.0 - LEAST_FILM) * bearing.clearance)
         })
     }
 

@@ -1,6 +1,6 @@
 //! What a film does along an orbit: its largest pressure, from the film solved directly.
 
-use super::law::TrainLaw;
+use super::law::{KeptTilt, TrainLaw};
 use super::plane::{Plane, QUARTER, plus, times};
 use lanchester_film::{
     FilmError, FilmGrid, FilmProblem, FilmSolution, FilmSolver, JournalMotion, TiltedMotion, tilted_pressure,
@@ -88,10 +88,13 @@ pub fn largest_film_pressure(
 fn tilted(law: &TrainLaw, own: &FilmInstant) -> Result<Option<f64>, FilmError> {
     let TrainLaw::TiltedFilm { bearing, viscosity, .. } = law else { return Ok(None) };
     let [tilt, tilt_rate] = own.tilt;
+    let over = |e: Plane| e.map(|part| part / bearing.clearance);
+    // Beyond the shell there is no pressure to tell of.
+    let Some(kept) = KeptTilt::new(over(own.eccentricity), over(tilt)) else { return Ok(Some(f64::NAN)) };
     let closing = |e: Plane, rate: Plane| plus(rate, -own.entrainment, times(&QUARTER, e));
     let motion = TiltedMotion {
-        eccentricity: own.eccentricity.map(|part| part / bearing.clearance),
-        tilt: tilt.map(|part| part / bearing.clearance),
+        eccentricity: over(own.eccentricity),
+        tilt: kept.tilt,
         closing: closing(own.eccentricity, own.rate),
         closing_by_tilt: closing(tilt, tilt_rate),
     };

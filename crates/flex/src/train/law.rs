@@ -6,7 +6,8 @@
 //! film       F = 12 mu (R/c)^3 L f(e/c, v) - F_c n    v = e' - w_m e_z x e                   (book, eq. 51.10)
 //! ```
 //! The damping of a contact fades in over its first depth, `s` from 0 to 1, so that the force has no jump; `F_c` is that of the roughness. The film of a tilted journal
-//! depends on how far its end lies from its middle too, and acts on that.
+//! depends on how far its end lies from its middle too, and acts on that. Where an end would come closer to the shell than a share of the clearance, the film is that of a tilt that leaves
+//! it there: what more of tilt there is, roughness carries, or nothing.
 
 use super::plane::{ONE, Plane, QUARTER, Square, dot, length, plus, product, sum, times};
 use super::spot::{Four, Spot, corner, flat, through_blocks};
@@ -17,6 +18,9 @@ use std::sync::Arc;
 
 /// Depth over which a contact's damping fades in, over the clearance.
 const FADE: f64 = 0.01;
+
+/// Share of the clearance that a film keeps at the ends of its bearing however the journal tilts.
+const LEAST_AT_ENDS: f64 = 0.02;
 
 /// What ties a journal to its bearing.
 #[derive(Debug, Clone, PartialEq)]
@@ -126,8 +130,10 @@ impl TrainLaw {
             let v = plus([rate[at], rate[at + 1]], -entrainment, times(&QUARTER, own));
             (own.map(|part| part / c), v)
         });
-        let motion = TiltedMotion { eccentricity: middle, tilt: end, closing, closing_by_tilt };
-        let film = tilted_impedance(bearing.slenderness(), &motion).ok()?;
+        let kept = KeptTilt::new(middle, end)?;
+        let motion = TiltedMotion { eccentricity: middle, tilt: kept.tilt, closing, closing_by_tilt };
+        let mut film = tilted_impedance(bearing.slenderness(), &motion).ok()?;
+        film.by_place = kept.chained(&film.by_place);
         let scale = bearing.force_scale(*viscosity);
         let turning = through_blocks(&film.by_velocity, &QUARTER);
         let (floor, floor_by) = tilted_contact(bearing, *roughness, middle, end);
@@ -194,6 +200,55 @@ impl TrainLaw {
                 })
             }
         }
+    }
+}
+
+/// The tilt that a film has: the journal's, or as much of it as leaves the ends their share of the clearance.
+pub(super) struct KeptTilt {
+    /// Over the clearance.
+    pub tilt: Plane,
+    share: f64,
+    /// Derivatives of the share by eccentricity and tilt.
+    by: Spot,
+}
+
+impl KeptTilt {
+    /// Of eccentricity and tilt over the clearance; none where the middle of the journal reaches the shell.
+    pub fn new(x: Plane, tilt: Plane) -> Option<KeptTilt> {
+        let most = 1.0 - LEAST_AT_ENDS;
+        let mut kept = KeptTilt { tilt, share: 1.0, by: [0.0; 4] };
+        if length(x) >= 1.0 {
+            return None;
+        }
+        if length(x) >= most {
+            return Some(KeptTilt { tilt: [0.0; 2], share: 0.0, ..kept });
+        }
+        for sign in [1.0, -1.0] {
+            let t = tilt.map(|part| sign * part);
+            if length(plus(x, kept.share, t)) <= most {
+                continue;
+            }
+            // |x + s t| = most.
+            let [a, b, c] = [dot(t, t), dot(x, t), dot(x, x) - most * most];
+            kept.share = ((b * b - a * c).sqrt() - b) / a;
+            let u = plus(x, kept.share, t);
+            let slope = -1.0 / dot(u, t);
+            let by_tilt = u.map(|part| slope * kept.share * sign * part);
+            kept.by = [slope * u[0], slope * u[1], by_tilt[0], by_tilt[1]];
+        }
+        kept.tilt = tilt.map(|part| kept.share * part);
+        Some(kept)
+    }
+
+    /// Derivatives by the journal's place from those by the kept one.
+    fn chained(&self, own: &Four) -> Four {
+        own.map(|[a, b, c, d]| {
+            // d(s t) = s dt + t ds; the tilt itself is the kept one over its share.
+            let along =
+                if self.share > 0.0 { (c * self.tilt[0] + d * self.tilt[1]) / self.share } else { 0.0 };
+            let by = self.by.map(|part| along * part);
+            [a + by[0], b + by[1], self.share * c + by[2], self.share * d + by[3]]
+        })
     }
 }
 
@@ -264,6 +319,38 @@ mod tests {
                             wanted[row][k]
                         );
                     }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn derivatives_of_a_tilted_film_are_those_of_its_force_wherever_its_end_is() {
+        let bearing = JournalBearing::new(0.0275, 0.025, 30e-6).unwrap();
+        // An end within its film, and one beyond the shell, with roughness and without.
+        for (tilt, roughness) in [([4e-6, -6e-6], 0.0), ([12e-6, 9e-6], 0.0), ([12e-6, 9e-6], 1e-6)] {
+            let law = TrainLaw::TiltedFilm { bearing, viscosity: 0.01, roughness };
+            let e: Spot = [18e-6, 13.5e-6, tilt[0], tilt[1]];
+            let (rate, speed) = ([0.02, 0.03, -0.01, 0.004], 210.0);
+            let own = law.spot_force(&e, &rate, speed).unwrap();
+            for k in 0..8 {
+                let step = if k < 4 { 1e-11 } else { 1e-7 };
+                let shifted = |sign: f64| {
+                    let (mut e, mut rate) = (e, rate);
+                    let moved = if k < 4 { &mut e[k] } else { &mut rate[k - 4] };
+                    *moved += sign * step;
+                    law.spot_force(&e, &rate, speed).unwrap().force
+                };
+                let (low, high) = (shifted(-1.0), shifted(1.0));
+                let wanted = |row: usize| {
+                    if k < 4 { own.by_place[row][k] } else { own.by_velocity[row][k - 4] }
+                };
+                let largest = (0..4).map(|row| wanted(row).abs()).fold(0.0, f64::max);
+                for row in 0..4 {
+                    let slope = (high[row] - low[row]) / (2.0 * step);
+                    // The columns of the film follow the journal, which derivatives by its place leave out.
+                    let bar = if k < 4 { 1e-2 } else { 1e-6 };
+                    assert!((slope - wanted(row)).abs() < bar * largest, "{tilt:?} {k} {row}: {slope}");
                 }
             }
         }

@@ -20,7 +20,7 @@
 use super::assembly::{Assembly, Inverse};
 use super::motion::Turn;
 use super::plane::{Plane, length, plus, turn};
-use super::spot::{Spot, add, apply, end, furthest, middle, moment, quarter};
+use super::spot::{Spot, add, apply, end, middle, moment, quarter};
 use super::ties::{Kind, Linear, Moving, Tie, linear, moving};
 use crate::sparse::dot;
 use lanchester_numerics::Lu;
@@ -329,7 +329,7 @@ impl Assembly<'_> {
             (0..2).for_each(|k| step[k] -= follows[k]);
             size = size.max(length(middle(&step)).max(length(end(&step))) / self.tie_tolerance[index]);
             if let Some(bearing) = law.film() {
-                reach = reach.min(within(bearing.clearance, &e, &step));
+                reach = reach.min(within(bearing.clearance, middle(&e), middle(&step)));
             }
         }
         for (change, tolerance) in found.change.iter().zip(&self.coordinate_tolerance) {
@@ -342,24 +342,20 @@ impl Assembly<'_> {
     }
 }
 
-/// Share of a step of an eccentricity after which a film keeps some of its thickness at both ends.
-fn within(clearance: f64, e: &Spot, step: &Spot) -> f64 {
-    let allowed = clearance - KEPT * (clearance - furthest(e));
-    if furthest(&add(e, 1.0, step)) <= allowed {
+/// Share of a step of an eccentricity after which a film keeps some of its thickness.
+fn within(clearance: f64, e: Plane, step: Plane) -> f64 {
+    let film = clearance - length(e);
+    let allowed = clearance - KEPT * film;
+    if length(plus(e, 1.0, step)) <= allowed {
         return 1.0;
     }
-    let at = |sign: f64, v: &Spot| plus(middle(v), sign, end(v));
-    // |e + s step| = allowed, of the end that is there first.
-    let share = |sign: f64| {
-        let (e, step) = (at(sign, e), at(sign, step));
-        let [a, b, c] = [
-            super::plane::dot(step, step),
-            super::plane::dot(e, step),
-            super::plane::dot(e, e) - allowed * allowed,
-        ];
-        if a > 0.0 { ((-b + (b * b - a * c).max(0.0).sqrt()) / a).clamp(0.0, 1.0) } else { 1.0 }
-    };
-    share(1.0).min(share(-1.0))
+    // |e + s step| = allowed.
+    let [a, b, c] = [
+        super::plane::dot(step, step),
+        super::plane::dot(e, step),
+        super::plane::dot(e, e) - allowed * allowed,
+    ];
+    ((-b + (b * b - a * c).max(0.0).sqrt()) / a).clamp(0.0, 1.0)
 }
 
 #[cfg(test)]

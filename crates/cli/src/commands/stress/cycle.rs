@@ -80,7 +80,7 @@ fn verdict(found: &CrankCycle, safety: Option<f64>, fatigue: Option<f64>, least_
         }
     }
     if let Some(wanted) = least_film {
-        let touching = found.touching_ends();
+        let touching = found.touching_ends().filter(|(_, film)| !film.is_tilted);
         if let Some((name, _)) = &touching {
             tell(format_args!(
                 "the least film is not known: at the ends of {name} the journal leans through its film, which feels the tilt with --tilt"

@@ -236,7 +236,7 @@ const HOUSING: Key = key(
     "housing_stiffness",
     Kind::QuantityOrWord(Stiffness, Positive, "rigid"),
     Optional,
-    "Stiffness of its housing, or \"rigid\"; static cases in oil films use it.",
+    "Stiffness of its housing, or \"rigid\"; static cases in oil films and `stress cycle` use it.",
     "\"1000 kN/mm\"",
 );
 

@@ -221,6 +221,7 @@ fn bearing(
             Some(LeastFilm {
                 thickness: clearance - furthest,
                 theta,
+                is_tilted,
                 at_ends: clearance - most(&at_ends).0,
                 below_roughness: seen.iter().filter(rough).count() as f64 / seen.len().max(1) as f64,
                 largest_pressure: pressure.map(|(pressure, k)| [pressure, seen[k].theta]),

@@ -202,7 +202,10 @@ pub struct LeastFilm {
     pub thickness: f64,
     /// Crank angle there [rad].
     pub theta: f64,
-    /// Least thickness at the ends of the bearing, with the slope of the journal [m]; below 0 the slope is more than a law allows that knows of no tilt.
+    /// Whether the law knows of tilt.
+    pub is_tilted: bool,
+    /// Least thickness at the ends of the bearing, with the slope of the journal [m]; below 0 the slope is more than a law allows that knows of no tilt, and one that knows of it lets the
+    /// surfaces touch.
     pub at_ends: f64,
     /// Share of the cycle in which the film is below three times the roughness [1].
     pub below_roughness: f64,
@@ -356,11 +359,11 @@ impl CrankCycle {
         films.map(|film| film.thickness).min_by(f64::total_cmp)
     }
 
-    /// The bearing through whose shell a journal leans furthest, and the thickness at its ends [m]; `None` where none does.
-    pub fn touching_ends(&self) -> Option<(String, f64)> {
+    /// The bearing through whose shell a journal leans furthest, with its film; `None` where none does.
+    pub fn touching_ends(&self) -> Option<(String, &LeastFilm)> {
         let bearings = self.counted().into_iter().flat_map(|run| &run.bearings);
-        let ends = bearings.filter_map(|own| Some((own.name(), own.film.as_ref()?.at_ends)));
-        ends.filter(|(_, at_ends)| *at_ends < 0.0).min_by(|a, b| a.1.total_cmp(&b.1))
+        let ends = bearings.filter_map(|own| Some((own.name(), own.film.as_ref()?)));
+        ends.filter(|(_, film)| film.at_ends < 0.0).min_by(|a, b| a.1.at_ends.total_cmp(&b.1.at_ends))
     }
 
     /// Whether every run has an outcome to go by and balanced energies.

@@ -175,8 +175,8 @@ impl CrankCycle {
         Some(Table::of_columns(
             "cycle-films",
             "Oil films",
-            "Least thickness in the middle of each bearing (of films of tilted journals, at its ends), its crank angle, least thickness at its ends with the slope of the journal (below 0: \
-             the slope is more than a parallel film can tell of), share of the cycle with less than three times the roughness, largest pressure by the film solved directly, and the least film of a rigid crankshaft cut at every \
+            "Least thickness in the middle of each bearing (of films that feel the tilt, at its ends), its crank angle, least thickness at its ends with the slope of the journal (below 0: \
+             the slope is more than a parallel film can tell of, and in films that feel the tilt the surfaces touch), share of the cycle with less than three times the roughness, largest pressure by the film solved directly, and the least film of a rigid crankshaft cut at every \
              main, quasi-static.",
             vec![
                 words("crankshaft", rows.iter().map(|(run, _)| run.name())),
@@ -282,11 +282,16 @@ impl CrankCycle {
         if let Some(film) = self.least_film() {
             out.push_str(&format!(" Least film {} um.", number::short(1e6 * film, 3)));
         }
-        if let Some((name, at_ends)) = self.touching_ends() {
-            out.push_str(&format!(
-                " At the ends of {name} the journal leans through it: {} um, so that the least film is not one to go by; films that feel the tilt tell one.",
-                number::short(1e6 * at_ends, 3)
-            ));
+        if let Some((name, film)) = self.touching_ends() {
+            let at_ends = number::short(1e6 * film.at_ends, 3);
+            out.push_str(&match film.is_tilted {
+                true => format!(
+                    " At the ends of {name} the journal touches its shell ({at_ends} um), which roughness alone carries: film and load of that bearing are rough there."
+                ),
+                false => format!(
+                    " At the ends of {name} the journal leans through it: {at_ends} um, so that the least film is not one to go by; films that feel the tilt tell one."
+                ),
+            });
         }
         out.push_str(&unsound);
         // The headline is what is read: what it is worth belongs to it.
