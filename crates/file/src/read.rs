@@ -215,6 +215,7 @@ impl<'a> Reader<'a> {
         self.check_elements(&parts);
         self.check_bearing_numbers(&parts);
         self.check_films(&parts);
+        self.check_damping();
         let engine = self.valid(parts)?;
         self.check_chambers(&engine, &chambers)?;
         let tolerances = tolerances?;

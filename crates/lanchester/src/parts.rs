@@ -6,6 +6,7 @@ pub(crate) mod clearance;
 pub(crate) mod design;
 pub(crate) mod duty;
 pub(crate) mod error;
+pub(crate) mod import;
 pub(crate) mod shaft_weights;
 pub(crate) mod shape_front;
 pub(crate) mod solids;
@@ -26,6 +27,7 @@ pub use design::{
     adopted, counterweight_front, design_counterweights, with_counterweights, with_outline,
 };
 pub use error::CounterweightError;
+pub use import::{DrawingKind, ImportedOutline, OutlineImport, OutlineImportError, import_outline};
 pub use shaft_weights::{
     DesignedShaftWeight, SHAFT_WEIGHT_DESIGNS_VERSION, ShaftWeightDesigns, ShaftWeightPlace,
     design_shaft_weights, named_shaft_weights, shaft_weights_to_design, with_shaft_weights,

@@ -6,12 +6,15 @@ use crate::problem::Problem;
 use crate::questions::design_choice::{Aim, design_request};
 use crate::questions::reading::{EngineText, NewText, engine, engine_file};
 use lanchester::file::{EngineFile, write_back};
+use lanchester::geometry::drawing::DrawingOptions;
 use lanchester::geometry::export::{PartFormat, part_file};
 use lanchester::geometry::{Design, DesignOutcome};
-use lanchester::model::Engine;
+use lanchester::model::{CounterweightForm, Engine};
+use lanchester::task::option;
 use lanchester::{
-    CounterweightCheck, CounterweightDesigns, CounterweightFront, adopted, check_counterweights,
-    chosen_parts, counterweight_front, design_counterweights, with_counterweights,
+    CounterweightCheck, CounterweightDesigns, CounterweightFront, DrawingKind, ImportedOutline,
+    OutlineImport, adopted, check_counterweights, chosen_parts, counterweight_front, design_counterweights,
+    import_outline, with_counterweights,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -70,6 +73,50 @@ struct ChosenDesign {
     choice: usize,
 }
 
+/// A drawing whose outline a weight gets.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct ImportQuestion {
+    /// The engine file.
+    text: String,
+    /// Name of the weight.
+    weight: String,
+    /// Name of the drawing's file: its ending tells the form, DXF or SVG.
+    name: String,
+    /// The drawing, as text: binary DXF is read by the command line.
+    drawing: String,
+    /// What the outline encloses.
+    encloses: Encloses,
+    /// Thickness with its unit; that of the present shape or of the webs where it is left out.
+    #[serde(default)]
+    thickness: Option<String>,
+    /// Density with its unit; that of the present shape or of the crankshaft where it is left out.
+    #[serde(default)]
+    density: Option<String>,
+    /// Unit of the drawing, where it does not say it: mm, cm, m, in.
+    #[serde(default)]
+    unit: Option<String>,
+    /// Layers that are left out.
+    #[serde(default)]
+    leave_out: Vec<String>,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+enum Encloses {
+    Counterweight,
+    Web,
+}
+
+/// The outline of a drawing.
+#[derive(Debug, Serialize, JsonSchema)]
+struct Imported {
+    /// As `lanchester counterweight import --format json` prints it.
+    found: ImportedOutline,
+    /// The engine file with the outline.
+    text: String,
+}
+
 /// What is exported.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -106,6 +153,11 @@ pub(crate) fn questions(api: Api) -> Api {
     )
     .post("/api/counterweight/front", "The trade between two aims: `lanchester counterweight front`.", front)
     .post("/api/counterweight/front/adopt", "The engine file with a design of a front.", adopt)
+    .post(
+        "/api/counterweight/import",
+        "The outline of a drawing for a weight: `lanchester counterweight import`.",
+        import,
+    )
     .file(
         "/api/export",
         "A CAD file: `lanchester counterweight export`.",
@@ -176,6 +228,33 @@ fn adopt(_: &Asker, question: ChosenDesign) -> Result<NewText, Problem> {
     })?;
     let adopted = adopted(&engine, &request, &found, design).map_err(Problem::refused)?;
     Ok(NewText { text: fitted(&ask.text, &engine, &adopted, request.task.density)? })
+}
+
+fn import(_: &Asker, question: ImportQuestion) -> Result<Imported, Problem> {
+    let engine = engine(&question.text)?;
+    let kind = DrawingKind::of_name(&question.name).ok_or_else(|| {
+        Problem::refused(format!(
+            "a drawing must end in dxf or svg, got \"{}\"\nhint: save it as one of the two in the CAD program",
+            question.name
+        ))
+    })?;
+    let length = |text: &String, name: &str| option::length(text, name).map_err(Problem::refused);
+    let unit = question.unit.map(|unit| length(&format!("1 {unit}"), "unit of the drawing")).transpose()?;
+    let density = question.density.map(|text| option::density(&text, "density")).transpose();
+    let import = OutlineImport {
+        weight: question.weight,
+        kind,
+        form: match question.encloses {
+            Encloses::Counterweight => CounterweightForm::Counterweight,
+            Encloses::Web => CounterweightForm::Web,
+        },
+        thickness: question.thickness.map(|text| length(&text, "thickness")).transpose()?,
+        density: density.map_err(Problem::refused)?,
+        options: DrawingOptions { unit, leave_out: question.leave_out, ..DrawingOptions::default() },
+    };
+    let (after, found) =
+        import_outline(&engine, question.drawing.as_bytes(), &import).map_err(Problem::refused)?;
+    Ok(Imported { text: write_back(&question.text, &after).map_err(Problem::refused)?, found })
 }
 
 fn export(_: &Asker, question: ExportQuestion) -> Result<Made, Problem> {

@@ -23,8 +23,12 @@ const CLEARANCE_OVER_DIAMETER: [f64; 2] = [2e-4, 5e-3];
 /// From hot oil thinned by fuel to the thickest with which an engine is cranked in the cold [Pa s].
 const VISCOSITIES: [f64; 2] = [5e-4, 9.5];
 
+/// Shares of critical damping above which no crankshaft is.
+const DAMPING: [(&str, f64); 2] = [("loss_factor", 0.3), ("damping_ratio", 0.15)];
+
 /// The most that an oil supply and journals have, and what is usual.
-const OIL: [(&str, f64, Dimension, &str); 2] = [
+const OIL: [(&str, f64, Dimension, &str); 3] = [
+    ("temperature", 473.15, Dimension::Temperature, "hot engine oil has 80 to 150 degC"),
     ("supply_pressure", 30e5, Dimension::Pressure, "oil is supplied at 2 to 6 bar"),
     ("roughness", 10e-6, Dimension::Length, "journal and shell together have 0.2 to 2 um"),
 ];
@@ -84,6 +88,22 @@ impl<'a> Reader<'a> {
         if let Field::Given(speeds) = self.root.numbers("speed") {
             for speed in speeds.value.iter().filter(|speed| speed.value > FASTEST) {
                 self.doubt(speed.span.clone(), "a speed", speed.value, Dimension::Speed, "rpm");
+            }
+        }
+    }
+
+    /// Damping of the crankshaft's material.
+    pub(super) fn check_damping(&mut self) {
+        let (Some(crank), _) = self.section("crank") else { return };
+        let Field::Given(material) = crank.table("material") else { return };
+        for (key, most) in DAMPING {
+            let Field::Given(own) = material.value.number(key) else { continue };
+            if own.value > most {
+                let message = format!("no crankshaft has a {} of {}", key.replace('_', " "), own.value);
+                self.mistakes
+                    .push(Mistake::warning("W0801", own.span, message).label("suspicious number").hint(
+                    "crankshafts of steel have a damping ratio of 0.005 to 0.02, twice that as loss factor",
+                ));
             }
         }
     }

@@ -97,7 +97,7 @@ fn bearings_that_nobody_builds_are_told() {
         assert!(FOUR.contains(from), "{from}");
         let reading = read(&FOUR.replacen(from, to, 1));
         assert!(reading.file.is_some(), "{:?}", reading.diagnostics);
-        let own = reading.diagnostics.iter().filter(|own| own.code == "W1301");
+        let own = reading.diagnostics.iter().filter(|own| ["W1301", "W0801"].contains(&own.code));
         own.map(|own| own.message.clone()).collect()
     };
     let wide = |number: u32| {
@@ -108,6 +108,12 @@ fn bearings_that_nobody_builds_are_told() {
         ("[bearings.film]", &wide(2), "a width of 30 mm is more than the 26 mm between webs"),
         ("supply_pressure = \"4 bar\"", "supply_pressure = \"4000 bar\"", "a supply pressure of 4000 bar"),
         ("[bearings.film]", "[bearings.film]\nroughness = \"0.5 mm\"", "a roughness of 0.5 mm"),
+        (
+            "viscosity = \"10 mPa s\"",
+            "oil = \"SAE 5W-30\"\ntemperature = \"900 degC\"",
+            "no bearing of an engine has a temperature of 1173.15 K",
+        ),
+        ("[crank.material]", "[crank.material]\nloss_factor = 3", "no crankshaft has a loss factor of 3"),
         (
             "diametral_clearance = \"0.06 mm\"",
             "diametral_clearance = \"0.006 mm\"",

@@ -1,5 +1,6 @@
 // The Counterweight tab: from a template to outlines, handles, best shape, front, export.
 
+import { readFileSync } from "node:fs";
 import type { Page } from "@playwright/test";
 import { newEngine, text as fileText } from "./page";
 import { points } from "./points";
@@ -123,6 +124,32 @@ test("a point of the front is drawn over the present outline and adopted", async
   await front.getByRole("button", { name: /^Adopt for/ }).click();
   await expect(ghost).toHaveCount(0);
   await expect(field(page, "Arc radius")).not.toHaveValue(/^92\.4999/);
+});
+
+test("a drawing gives a weight its outline, and the same drawing comes back", async ({ studio, page }) => {
+  await open(page, studio.address);
+  await adoptBest(page);
+  const waiting = page.waitForEvent("download");
+  await page.getByRole("button", { name: "Export web 1 as DXF" }).click();
+  const drawing = readFileSync(await (await waiting).path(), "utf8");
+  const before = await text(page);
+  const region = page.getByRole("region", { name: "Outline from a drawing" });
+  const take = (name: string, what: string) =>
+    region
+      .getByLabel("Drawing for web 1")
+      .setInputFiles({ name, mimeType: "image/vnd.dxf", buffer: Buffer.from(what) });
+  // What is no drawing is refused, and changes nothing.
+  await take("web.dxf", "no drawing at all");
+  await expect(region.getByRole("alert")).toBeVisible();
+  expect(await text(page)).toBe(before);
+  await take("web 1.dxf", drawing);
+  // The plate that was exported, with the disc of its web: `counterweight design` says 2984.0 g.
+  await expect(region.getByRole("status")).toContainText(/web 1 has the outline of web 1\.dxf: 2.?984 g/);
+  await expect(region.getByRole("alert")).toHaveCount(0);
+  expect(await text(page)).not.toBe(before);
+  await expect(outline(page)).toBeVisible();
+  await page.locator("body").press("Control+z");
+  expect(await text(page)).toBe(before);
 });
 
 test.describe("a template", () => {

@@ -771,6 +771,16 @@ export type ChamberMotion = {
   top_dead_centre: number;
 };
 
+/** A chamfer of a part's edge. */
+export type Chamfer = {
+  /** Angle of its surface against the face [rad], between 0 and a quarter turn: 45 degrees is as deep as wide. */
+  angle: number;
+  /** Its surface. */
+  cut: Cut;
+  /** Face that it is on. */
+  face: Face;
+};
+
 /** What became of a quantity. */
 export type Change = "better" | "unchanged" | "worse";
 
@@ -1055,6 +1065,9 @@ export type Consequences = {
   version: number;
 };
 
+/** A closed line that runs anticlockwise and does not cross or touch itself. */
+export type Contour = Edge[];
+
 /** What one tolerance adds to the scatter. */
 export type Contribution = {
   /** Its standard error: what other samples of the same number would change, about. */
@@ -1252,6 +1265,21 @@ export type Curve = {
 
 /** Whose curves over the crank angle are in the answer. */
 export type Curves = "all" | "whole";
+
+/** How a chamfer is made. */
+export type Cut = {
+  Turned: {
+    /** Radius on the face [m]. */
+    radius: number;
+  };
+} | {
+  Milled: {
+    /** Direction, from `x` towards `y`, in which it gets deeper [rad]. */
+    direction: number;
+    /** Distance of the line on the face from the crank axis, along that direction [m]. */
+    distance: number;
+  };
+};
 
 /** What a computed cycle gives in one chamber. */
 export type CycleResult = {
@@ -1725,6 +1753,25 @@ export type DurabilityWish = {
   maximise: DurabilityCriterion[];
 };
 
+/**
+ * A line or an arc.
+ *
+ * The bulge is that of DXF: the tangent of a quarter of the included angle, positive where the arc runs anticlockwise from
+ * `from` to `to`, zero for a line, one for a half circle.
+ *
+ * ```text
+ * bulge = tan(angle/4)    radius = w (1 + bulge^2)/(2 |bulge|)    height over the chord = w |bulge|    w = half the chord
+ * ```
+ */
+export type Edge = {
+  /** Tangent of a quarter of the included angle. */
+  bulge: number;
+  /** Where it begins [m]. */
+  from: Point;
+  /** Where it ends [m]. */
+  to: Point;
+};
+
 /** A change of one key. */
 export type Edit = {
   /**
@@ -1758,6 +1805,8 @@ export type Effect = {
   /** Without the free weights (those that they replace left out) [SI unit]. */
   without: number;
 };
+
+export type Encloses = "counterweight" | "web";
 
 /** A work, or a change of what is stored. */
 export type EnergyPart = {
@@ -1974,6 +2023,9 @@ export type Extremes = {
   /** Smallest value. */
   min: Extreme;
 };
+
+/** Which face of a part. */
+export type Face = "Front" | "Rear";
 
 /** A figure of the report. */
 export type FigureSvg = {
@@ -2579,6 +2631,48 @@ export type Held = "speed" | "piston-speed";
 
 export type Hold = "speed" | "piston-speed";
 
+/** A drawing whose outline a weight gets. */
+export type ImportQuestion = {
+  /** Density with its unit; that of the present shape or of the crankshaft where it is left out. */
+  density: string | null;
+  /** The drawing, as text: binary DXF is read by the command line. */
+  drawing: string;
+  /** What the outline encloses. */
+  encloses: Encloses;
+  /** Layers that are left out. */
+  leave_out: string[];
+  /** Name of the drawing's file: its ending tells the form, DXF or SVG. */
+  name: string;
+  /** The engine file. */
+  text: string;
+  /** Thickness with its unit; that of the present shape or of the webs where it is left out. */
+  thickness: string | null;
+  /** Unit of the drawing, where it does not say it: mm, cm, m, in. */
+  unit: string | null;
+  /** Name of the weight. */
+  weight: string;
+};
+
+/** The outline of a drawing. */
+export type Imported = {
+  /** As `lanchester counterweight import --format json` prints it. */
+  found: ImportedOutline;
+  /** The engine file with the outline. */
+  text: string;
+};
+
+/** An outline that was read, and what it makes of its counterweight. */
+export type ImportedOutline = {
+  /** What of the drawing was left out, and why. */
+  left_out: string[];
+  /** Its part. */
+  part: Part2;
+  /** Mass, unbalance and inertia. */
+  properties: MassProperties;
+  /** Name of the counterweight. */
+  weight: string;
+};
+
 /** A text to be completed. */
 export type Incomplete = {
   /** Kind of engine that the values are taken for; none: what its numbers say. */
@@ -2649,6 +2743,24 @@ export type Infeasible = {
   nearest: NearestLimit[];
   /** Whether every box was refuted; otherwise a design may have been overlooked. */
   proved: boolean;
+};
+
+/**
+ * A bore along the crank axis that is filled with another material: a heavy-metal slug, or a hole where the density is 0.
+ *
+ * It makes its own bore: the outline has no hole there.
+ */
+export type Insert = {
+  /** Centre of the bore [m]. */
+  centre: Point;
+  /** Density of what is in it [kg/m^3]; 0 for a hole. */
+  density: number;
+  /** Where it begins, from the front face [m]. */
+  from: number;
+  /** Radius of the bore [m]. */
+  radius: number;
+  /** Where it ends, from the front face [m]. */
+  to: number;
 };
 
 /** Shear forces and bending moments of all crankshafts at one speed. */
@@ -3396,6 +3508,12 @@ export type Outcome = {
   reason: string;
 };
 
+/** An outer contour and the holes within it, none of which touches another. */
+export type Outline = {
+  holes: Contour[];
+  outer: Contour;
+};
+
 /** A residual load whose scatter is asked for: a size, 0 being best. */
 export type Output = {
   force: {
@@ -3484,6 +3602,16 @@ export type PackedField = {
 
 /** Which moving parts a load comes from. */
 export type Part = "rotating" | "reciprocating" | "rod-inertia" | "counterweights" | "shafts";
+
+/** A flat part on the crankshaft. */
+export type Part2 = {
+  chamfers: Chamfer[];
+  density: number;
+  front: number;
+  inserts: Insert[];
+  outline: Outline;
+  thickness: number;
+};
 
 /** Loads of one kind of part. */
 export type PartLoads = {
