@@ -129,7 +129,11 @@ impl<'a> Reader<'a> {
             let Field::Given(film) = section.table("film") else { break };
             let Field::Given(own) = film.value.number(key) else { continue };
             if own.value > most {
-                let (name, shown) = (key.replace('_', " "), lanchester_units::readable(own.value, dimension));
+                let shown = match dimension {
+                    Dimension::Temperature => format!("{:.0} degC", own.value - 273.15),
+                    dimension => lanchester_units::readable(own.value, dimension),
+                };
+                let name = key.replace('_', " ");
                 self.mistakes.push(
                     Mistake::warning(
                         "W1301",
