@@ -28,6 +28,12 @@ fn of_run(error: &CrossCheckError) -> Option<&'static str> {
 
 fn of_space(error: &LayoutSpaceError) -> Option<&'static str> {
     Some(match error {
+        LayoutSpaceError::OneThrow { .. } => {
+            "give several --counterweights or --shafts to choose from; to search the layouts that its pistons and rods could make instead, give --in-line or --bank-angle, and --spacing"
+        }
+        LayoutSpaceError::Kept { .. } => {
+            "leave that option out; to search the layouts that its pistons and rods could make instead, give --in-line or --bank-angle, and --spacing"
+        }
         LayoutSpaceError::Banks { .. } => {
             "to search the layouts that its pistons and rods could make instead, give --in-line or --bank-angle, and --spacing"
         }

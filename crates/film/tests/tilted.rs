@@ -33,8 +33,8 @@ fn on_cells(slenderness: f64, x: [f64; 2], t: [f64; 2], rate: [f64; 2], entrainm
         cavitation: Cavitation::Gumbel,
         feeds: Vec::new(),
     };
-    let mut solver = FilmSolver::new(FilmGrid::uniform(240, 48, false, 0.0).unwrap()).unwrap();
-    let film = solver.solve(&problem).unwrap();
+    let grid = FilmGrid::uniform(240, 48, false, 0.0).expect("enough cells");
+    let film = FilmSolver::new(grid).and_then(|mut solver| solver.solve(&problem)).expect("there is a film");
     let half = 0.5 * bearing.length;
     // The moment is z x Q L/2.
     let found = [film.force[0], film.force[1], film.moment[1] / half, -film.moment[0] / half];

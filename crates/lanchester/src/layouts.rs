@@ -1,6 +1,7 @@
 //! Layouts of the engine of a file: the space of a search, its rows, what is adopted.
 
 pub(crate) mod films;
+pub(crate) mod kept_cylinders;
 pub(crate) mod own;
 pub(crate) mod search;
 pub(crate) mod space;

@@ -141,7 +141,7 @@ impl SpeedRange {
 }
 
 /// A crankshaft. Its angle is `ratio * theta + phase`.
-#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Crankshaft {
     /// Name for tables and pictures.
     pub name: String,
@@ -155,12 +155,12 @@ pub struct Crankshaft {
     pub y: f64,
     /// Planes of its main bearings [m], from the origin, rising; `None` if the file gives none:
     /// [`EngineParts::main_planes`] has the usual ones then.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub mains: Option<Vec<f64>>,
 }
 
 /// A throw: a crankpin (one pin of a split pair is a throw of its own).
-#[derive(Debug, Clone, PartialEq, Default, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Throw {
     /// Index of its crankshaft.
     pub crankshaft: usize,
@@ -196,7 +196,7 @@ impl Throw {
 /// A cylinder with its piston and rod.
 ///
 /// Cylinder frame: `u = e^{i angle}` along the axis away from the crankshaft, `v = i u`.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Cylinder {
     /// Index of the throw whose pin drives it (for an articulated rod: the throw of its master).
     pub throw: usize,
@@ -219,7 +219,7 @@ pub struct Cylinder {
     pub firing_angle: Option<f64>,
     /// Index of the first piston of the combustion chamber that it shares (opposed pistons), a lower one; `None`: its chamber is its own,
     /// or it is the first.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub chamber: Option<usize>,
 }
 
@@ -236,7 +236,7 @@ impl Cylinder {
 }
 
 /// A connecting rod as two end masses and what they miss of its inertia.
-#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Rod {
     /// Distance between eye centres [m].
     pub length: f64,
@@ -296,7 +296,7 @@ impl Rod {
 }
 
 /// How the file gave the rod's mass.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum RodMassRule {
     /// Two thirds of the mass at the big end, one third at the small end.
@@ -308,7 +308,7 @@ pub enum RodMassRule {
 }
 
 /// What a rod's big end sits on.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case", tag = "kind")]
 pub enum RodJoint {
     /// The crankpin, alone or side by side with other rods.

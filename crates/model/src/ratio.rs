@@ -1,6 +1,6 @@
 //! A signed speed ratio as a fraction, so that orders and periods stay exact.
 
-use serde::{Serialize, Serializer};
+use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
 use std::fmt;
 
 /// Speed of a shaft over that of crankshaft 1, in lowest terms; the sign is the sense of rotation.
@@ -81,9 +81,32 @@ impl Serialize for Ratio {
     }
 }
 
+impl<'de> Deserialize<'de> for Ratio {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Ratio, D::Error> {
+        let text = String::deserialize(deserializer)?;
+        let (numerator, denominator) = text.split_once('/').unwrap_or((&text, "1"));
+        let ratio = numerator.parse().ok().zip(denominator.parse().ok());
+        ratio.and_then(|(numerator, denominator)| Ratio::new(numerator, denominator)).ok_or_else(|| {
+            de::Error::custom(format_args!(
+                "a speed ratio must be a whole number or a fraction other than 0, such as `-1/2`, got `{text}`"
+            ))
+        })
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_ratio_is_read_as_it_is_written() {
+        for ratio in [Ratio::ONE, Ratio::new(-1, 2).unwrap(), Ratio::whole(-3).unwrap()] {
+            let text = serde_json::to_string(&ratio).unwrap();
+            assert_eq!(serde_json::from_str::<Ratio>(&text).unwrap(), ratio);
+        }
+        assert!(serde_json::from_str::<Ratio>("\"0\"").is_err());
+        assert!(serde_json::from_str::<Ratio>("\"1/x\"").is_err());
+    }
 
     #[test]
     fn lowest_terms_and_sign() {

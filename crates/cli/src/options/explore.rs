@@ -9,7 +9,8 @@ use std::path::PathBuf;
 /// `explore`
 #[derive(Debug, Args)]
 pub struct ExploreArguments {
-    /// Engine file of whose parts the layouts are made; `-` reads standard input.
+    /// Engine file of whose parts the layouts are made; `-` reads standard input. An engine that is not one bank, or two alike, on one crankshaft (VR, W,
+    /// radial, geared crankshafts) keeps its cylinders, rods and pins where they are: throw angles, firing orders, counterweights and shafts are searched.
     #[arg(value_name = "FILE")]
     pub file: PathBuf,
     /// What is free.
@@ -108,8 +109,8 @@ pub struct SpaceArguments {
     /// Crank radius over rod length.
     #[arg(long, value_name = "RATIOS", help_heading = "The space")]
     pub rod_ratio: Option<String>,
-    /// Angles that a throw may have from the first one: a list, or `every 30 deg`. Default: every 30 degrees, or as many parts of
-    /// a turn as the even firing of so many cylinders needs.
+    /// Angles that a throw may have from the first one, in the sense in which its crankshaft turns: a list, or `every 30 deg`. Default: every 30 degrees, or
+    /// as many parts of a turn as the even firing of so many cylinders needs; for cylinders that stay where they are also the angles of the file.
     #[arg(long, value_name = "ANGLES", help_heading = "The space")]
     pub throw_angles: Option<String>,
     /// Weights on the webs, several with commas between: `none`; `own`, as much as the file has on all webs alike; `full`, every

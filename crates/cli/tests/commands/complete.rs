@@ -5,10 +5,8 @@ use lanchester::file::templates;
 use std::fs;
 use std::path::Path;
 
-/// Rods that sit on a master rod.
-const RADIALS: [&str; 5] = ["radial-3", "radial-5", "radial-7", "radial-9", "radial-14"];
-/// Two crankshafts.
-const GEARED: [&str; 2] = ["square-4", "opposed-piston-3"];
+/// All rods on one throw.
+const SINGLE_ROW_RADIALS: [&str; 4] = ["radial-3", "radial-5", "radial-7", "radial-9"];
 /// One web between two crankpins.
 const SHARED_WEBS: [&str; 4] = ["boxer-2", "v2-60-split", "v6-60", "v6-90"];
 
@@ -47,16 +45,24 @@ fn exception(command: &str, engine: &str) -> Option<(i32, &'static str)> {
         // The formulas are for one throw between two main bearings.
         "stress rule" if is(&SHARED_WEBS) => Some((2, "the rule covers one throw between two main bearings")),
         // Nothing to permute.
-        "explore" if is(&RADIALS) || is(&GEARED) || is(&["vr6-15", "w12-broad-arrow"]) => {
-            Some((2, "a search permutes layouts of one bank, or of two alike, on one crankshaft"))
-        }
+        "explore" if is(&SINGLE_ROW_RADIALS) => Some((2, "one throw: nothing to permute")),
         _ => None,
     }
 }
 
 /// Engines with so many layouts that a search through all of them is no cheap setting.
 fn has_many_layouts(engine: &str) -> bool {
-    let many = ["in-line-5", "in-line-6", "in-line-8", "flat-12", "v8-crossplane", "v8-flat-plane"];
+    let many = [
+        "in-line-5",
+        "in-line-6",
+        "in-line-8",
+        "flat-12",
+        "v8-crossplane",
+        "v8-flat-plane",
+        "vr6-15",
+        "w12-broad-arrow",
+        "radial-14",
+    ];
     many.contains(&engine) || ["v10-", "v12-", "v16-"].iter().any(|start| engine.starts_with(start))
 }
 

@@ -1,11 +1,11 @@
 //! Ties between the crankshaft and its bearings: motion, force, and how the force follows the crankshaft's acceleration within a stage.
 //!
 //! A pin `p` off the axis turns about it with the shaft, by the rotation `chi` of its surface: to second order it stays on its circle. Where a law knows of tilt, the end of the
-//! journal counts beside its middle: `u_t = L/2 T q` with the slope `T q` of the surface.
+//! journal counts beside its middle: `u_t = L/2 T q` with the slope `T q` of the surface (book, eq. 51.16).
 //!
 //! ```text
 //! u = C q - chi^2 p/2    chi = Z q    w = E (C, Z) q'    E = (1, -chi p)                                               (book, eq. 51.15)
-//! F + k s = 0            e = journal - shell, the shell being s off its place, on the stiffness k of its housing          (book, eq. 51.16)
+//! F + k s = 0            e = journal - shell, the shell being s off its place, on the stiffness k of its housing          (book, eq. 51.17)
 //! ```
 
 use super::body::CrankBody;

@@ -4,7 +4,7 @@
 //! centrifugal loads differ by what one of both bodies has alone. Of the crankshaft as it is the rest differs by how it yields and vibrates.
 
 use crate::crosscheck::pair::{CrossCheckError, Pair};
-use crate::stress::cycle::laws::HousedLaw;
+use crate::stress::cycle::housed_law::HousedLaw;
 use crate::stress::cycle::train::{Bearing, Composed, bearing_places};
 use lanchester_flex::crank_mesh::{CrankMeshOptions, crank_mesh};
 use lanchester_flex::train::{

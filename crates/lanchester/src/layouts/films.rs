@@ -41,7 +41,7 @@ impl DurabilityMeter for OfLayouts {
             parts.crank_details = own.crank_details.clone();
             parts.crank_material = own.crank_material;
             if !is_split {
-                for throw in &mut parts.throws {
+                for throw in parts.throws.iter_mut().filter(|throw| throw.webs.is_none()) {
                     throw.webs = Some([-0.5, 0.5].map(|side| throw.z + side * self.parts.web_distance));
                 }
             }

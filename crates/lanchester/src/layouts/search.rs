@@ -2,15 +2,17 @@
 
 use crate::layouts::own::OwnLayout;
 use lanchester_mechanism::{
-    BeamModel, InternalRequest, LoadError, LoadRequest, TorqueError, firing_chart, internal_moments,
+    BeamModel, InternalRequest, LoadError, LoadRequest, TorqueError, firing_chart, internal_moments, motion,
     total_loads,
 };
 use lanchester_model::{CrankcasePressure, Engine, EngineParts, Gas, GasSource};
 use lanchester_results::OrderLoads;
 use lanchester_study::explore::{
-    Banks, Constraint, ExploreAnswer, ExploreError, Explorer, GivenEngine, Layout, Objective, Sense,
+    Arrangement, Banks, Constraint, ExploreAnswer, ExploreError, Explorer, GivenEngine, Layout, Objective,
+    Sense,
 };
 use num_complex::Complex64;
+use std::f64::consts::TAU;
 
 /// Why an engine cannot be set beside the layouts of a search, or a layout is no engine.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -55,7 +57,11 @@ pub fn given_engine(
             }
         }
     }
-    let (case, outside) = match own.and_then(|own| case(engine, explorer, &own)) {
+    let case = match request.space.arrangement() {
+        Some(arrangement) => kept_case(engine, explorer, arrangement)?,
+        None => own.and_then(|own| case(engine, explorer, &own)),
+    };
+    let (case, outside) = match case {
         Ok(case) => (Some(case), None),
         Err(reason) => (None, Some(reason)),
     };
@@ -156,6 +162,14 @@ impl<'a> Measured<'a> {
 
     /// Successive firings of cylinders that stand side by side in one bank.
     fn neighbours(&self) -> Option<f64> {
+        if let Some(arrangement) = self.explorer.request().space.arrangement() {
+            let (pairs, (firings, _)) = (arrangement.neighbours(), self.firing.as_ref()?);
+            let count = firings.len();
+            let side_by_side = |a: usize, b: usize| pairs.contains(&[a, b]) || pairs.contains(&[b, a]);
+            let ends = if count > 2 { count } else { count.saturating_sub(1) };
+            let follow = |k: &usize| side_by_side(firings[*k].1, firings[(k + 1) % count].1);
+            return Some((0..ends).filter(follow).count() as f64);
+        }
         let (own, (firings, _)) = (self.own?, self.firing.as_ref()?);
         let place = |cylinder: usize| own.cylinders.iter().position(|other| *other == cylinder);
         let places = firings.iter().map(|(_, cylinder)| place(*cylinder)).collect::<Option<Vec<_>>>()?;
@@ -210,6 +224,7 @@ fn case(engine: &Engine, explorer: &Explorer, own: &OwnLayout) -> Result<u128, S
         }
         (Banks::InLine, Some(_)) => return Err("it has two banks".to_owned()),
         (Banks::Two { .. }, None) => return Err("it has one bank".to_owned()),
+        (Banks::AsGiven(_), _) => return Err("its cylinders stay where they are".to_owned()),
     };
     let spacing = match own.groups() {
         1 => space.spacings[0],
@@ -234,14 +249,41 @@ fn case(engine: &Engine, explorer: &Explorer, own: &OwnLayout) -> Result<u128, S
         shafts: space.shafts[0].clone(),
         throw_angles: own.throw_angles.clone(),
         firing_angles: None,
+        arrangement: None,
     };
     layout.firing_angles = firing.map(|angles| {
         // Counted as a case counts them: from its own top dead centre of cylinder 1, in the first revolution.
-        let cycle = std::f64::consts::TAU * f64::from(engine.strokes.revolutions());
-        let first = layout.bank_axes()[0].rem_euclid(std::f64::consts::TAU);
+        let cycle = TAU * f64::from(engine.strokes.revolutions());
+        let first = layout.bank_axes()[0].rem_euclid(TAU);
         angles.iter().map(|angle| (first + angle - angles[0]).rem_euclid(cycle)).collect()
     });
     explorer.case_of(&layout).ok_or_else(|| "an angle of its throws is not among those searched".to_owned())
+}
+
+/// The case that an engine is whose cylinders stay where they are, weights and shafts apart.
+fn kept_case(
+    engine: &Engine,
+    explorer: &Explorer,
+    arrangement: &Arrangement,
+) -> Result<Result<u128, String>, LayoutSearchError> {
+    let space = &explorer.request().space;
+    let mut layout = explorer.layout(0)?;
+    layout.throw_angles.clone_from(&arrangement.throw_angles);
+    layout.firing_angles = match space.firing {
+        false => None,
+        true => {
+            // Firings at the dead centres next to those of the file.
+            let motion = motion(engine, &LoadRequest { samples: 1, ..LoadRequest::default() })?;
+            let Some(angles) = motion.iter().map(|m| m.firing_angle).collect::<Option<Vec<f64>>>() else {
+                return Ok(Err("its file gives no firing".to_owned()));
+            };
+            let cycle = TAU * f64::from(engine.strokes.revolutions());
+            let first = layout.first_firing();
+            Some(angles.iter().map(|angle| (first + angle - angles[0]).rem_euclid(cycle)).collect())
+        }
+    };
+    let outside = || "an angle of its throws is not among those searched".to_owned();
+    Ok(explorer.case_of(&layout).ok_or_else(outside))
 }
 
 /// A case as an engine of its own, with the name, speeds, sense of rotation, friction and flywheel of `engine`, and its gas
@@ -262,7 +304,7 @@ pub fn adopted_layout(engine: &Engine, explorer: &Explorer, case: u128) -> Resul
         adopted.flywheel = engine.flywheel.clone();
         adopted.gas = engine.gas.as_ref().filter(|gas| holds_for_any_layout(gas)).cloned();
         if !layout.has_split_pins() {
-            for throw in &mut adopted.throws {
+            for throw in adopted.throws.iter_mut().filter(|throw| throw.webs.is_none()) {
                 throw.webs = Some([-0.5, 0.5].map(|side| throw.z + side * parts.web_distance));
             }
         }
@@ -282,6 +324,11 @@ pub(crate) fn holds_for_any_layout(gas: &Gas) -> bool {
 /// "V6, 90 deg, pins 30 deg apart".
 pub fn layout_name(layout: &Layout) -> String {
     let degrees = |angle: f64| (1e6 * angle.to_degrees()).round() / 1e6;
+    if let Some(arrangement) = &layout.arrangement {
+        let throws: Vec<String> =
+            layout.throw_angles.iter().map(|angle| degrees(*angle).to_string()).collect();
+        return format!("{}, throws {} deg", arrangement.name, throws.join(" "));
+    }
     match layout.banks {
         None => format!("in-line {}", layout.cylinders),
         Some(pair) => {

@@ -1,5 +1,6 @@
 //! From an engine and what is left free of it to a space of layouts.
 
+use crate::layouts::kept_cylinders::kept_cylinders;
 use crate::layouts::own::OwnLayout;
 use lanchester_model::{Engine, Strokes, greatest_common_divisor};
 use lanchester_study::explore::{
@@ -29,7 +30,8 @@ pub struct LayoutChoices {
     pub spacings: Option<Vec<f64>>,
     /// Crank radius over rod length.
     pub rod_ratios: Option<Vec<f64>>,
-    /// Angles of the throws [rad]; `None`: equal parts of a turn, 12 or the next number that holds the even firing intervals.
+    /// Angles of the throws [rad]; `None`: equal parts of a turn, 12 or the next number that holds the even firing intervals, and
+    /// where cylinders stay where they are those of the engine.
     pub throw_angles: Option<Vec<f64>>,
     /// Weights on the webs; `None`: [`own_pattern`].
     pub counterweights: Option<Vec<CounterweightPattern>>,
@@ -60,15 +62,36 @@ pub struct LayoutSpace {
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum LayoutSpaceError {
-    /// The engine has more than two banks, or unequal ones.
+    /// The engine is not one bank, or two alike, on one crankshaft, and its throws cannot be permuted as they are either.
     #[error(
-        "a search permutes layouts of one bank, or of two alike, on one crankshaft; {engine} is none: {reason}"
+        "a search permutes layouts of one bank, or of two alike, on one crankshaft, or the throws of other engines; {engine} has none \
+         of them: {reason}"
     )]
     Banks {
         /// Name of the engine.
         engine: String,
         /// What it is instead.
         reason: String,
+    },
+    /// A choice of sizes that the layouts of this engine share.
+    #[error(
+        "layouts of {engine} keep its cylinders, rods and pins, since {reason}: {choice} cannot be chosen"
+    )]
+    Kept {
+        /// Name of the engine.
+        engine: String,
+        /// Why they keep them.
+        reason: String,
+        /// The choice.
+        choice: &'static str,
+    },
+    /// Nothing changes the loads of an engine whose throws turn as one.
+    #[error("{throws}: nothing to permute; {engine} has the same loads in every firing order")]
+    OneThrow {
+        /// "one throw", or how several are one.
+        throws: &'static str,
+        /// Name of the engine.
+        engine: String,
     },
     /// A size that the file does not give.
     #[error("{size} is not known from {engine}")]
@@ -116,7 +139,8 @@ impl fmt::Display for LayoutSize {
 /// The space of layouts made of the parts of `engine`.
 ///
 /// Layouts have equal, centred cylinders in equal groups; where parts of the engine differ their mean counts, which is
-/// noted.
+/// noted. An engine that is not one bank, or two alike, on one crankshaft keeps its cylinders, rods and pins where they are, unless one
+/// bank or bank angles are chosen.
 ///
 /// # Errors
 /// [`LayoutSpaceError`] where something is missing. Whether the space has cases, and how many, its size tells.
@@ -138,10 +162,13 @@ pub fn layout_space(
 ) -> Result<LayoutSpace, LayoutSpaceError> {
     let mut notes = Vec::new();
     let own = OwnLayout::of(engine);
-    let banks = banks(engine, choices, &own)?;
+    if let (Err(reason), None, false) = (&own, &choices.bank_angles, choices.in_line) {
+        return kept_cylinders(engine, choices, reason);
+    }
+    let banks = banks(choices, &own)?;
     let cylinders = choices.cylinders.unwrap_or(engine.cylinders.len());
     let counted = match banks {
-        Banks::InLine => 1,
+        Banks::InLine | Banks::AsGiven(_) => 1,
         Banks::Two { .. } => 2,
     };
     let own = own.ok();
@@ -180,7 +207,7 @@ pub fn layout_space(
 }
 
 /// No balance shaft.
-fn none() -> ShaftSet {
+pub(super) fn none() -> ShaftSet {
     ShaftSet { name: "none".to_owned(), shafts: Vec::new() }
 }
 
@@ -198,18 +225,14 @@ pub fn own_pattern(engine: &Engine) -> CounterweightPattern {
 }
 
 /// Parts of a turn that hold every even firing interval: a multiple of the fewest, 12 or more.
-fn usual_angles(cylinders: usize, strokes: Strokes) -> u32 {
+pub(super) fn usual_angles(cylinders: usize, strokes: Strokes) -> u32 {
     let cylinders = (cylinders.clamp(1, 64)) as u32;
     let revolutions = strokes.revolutions();
     let fewest = cylinders / greatest_common_divisor(cylinders, revolutions);
     fewest * ANGLES.div_ceil(fewest)
 }
 
-fn banks(
-    engine: &Engine,
-    choices: &LayoutChoices,
-    own: &Result<OwnLayout, String>,
-) -> Result<Banks, LayoutSpaceError> {
+fn banks(choices: &LayoutChoices, own: &Result<OwnLayout, String>) -> Result<Banks, LayoutSpaceError> {
     let pair = own.as_ref().ok().and_then(|own| own.banks);
     let of_two =
         choices.bank_angles.is_some() || choices.split_angles.is_some() || choices.staggers.is_some();
@@ -218,9 +241,6 @@ fn banks(
             return Err(LayoutSpaceError::InLineWithBanks);
         }
         return Ok(Banks::InLine);
-    }
-    if let (Err(reason), None) = (own, &choices.bank_angles) {
-        return Err(LayoutSpaceError::Banks { engine: engine.name.clone(), reason: reason.clone() });
     }
     let bank_angles = match (&choices.bank_angles, pair) {
         (Some(angles), _) => angles.clone(),
@@ -236,7 +256,7 @@ fn banks(
     })
 }
 
-fn parts(
+pub(super) fn parts(
     engine: &Engine,
     choices: &LayoutChoices,
     own: Option<&OwnLayout>,
@@ -320,7 +340,7 @@ fn averaged(what: &str, values: impl Iterator<Item = f64> + Clone, notes: &mut V
     mean
 }
 
-fn mean(values: impl Iterator<Item = f64>) -> f64 {
+pub(super) fn mean(values: impl Iterator<Item = f64>) -> f64 {
     let (mut sum, mut count) = (0.0, 0.0);
     for value in values {
         sum += value;

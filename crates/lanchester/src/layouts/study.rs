@@ -65,8 +65,11 @@ impl LayoutStudy {
             columns.push(pair(&|pair| degrees(pair.split_angle)));
             columns.push(pair(&|pair| millimetres(pair.stagger)));
         }
-        columns.push(real(&|layout| millimetres(layout.spacing)));
-        columns.push(real(&|layout| layout.rod_ratio));
+        // Where cylinders and rods stay what they are there is no one spacing.
+        if request.space.arrangement().is_none() {
+            columns.push(real(&|layout| millimetres(layout.spacing)));
+            columns.push(real(&|layout| layout.rod_ratio));
+        }
         columns.push(text(&|layout| layout.counterweights.name.clone()));
         columns.push(text(&|layout| layout.shafts.name.clone()));
         for group in 0..request.space.groups() {
@@ -109,7 +112,9 @@ impl Study for LayoutStudy {
         if let Banks::Two { .. } = request.space.banks {
             columns.extend(["bank_angle_deg", "split_angle_deg", "stagger_mm"].map(Column::real));
         }
-        columns.extend(["spacing_mm", "rod_ratio"].map(Column::real));
+        if request.space.arrangement().is_none() {
+            columns.extend(["spacing_mm", "rod_ratio"].map(Column::real));
+        }
         columns.extend(["counterweights", "balance_shafts"].map(Column::text));
         columns.extend((1..=request.space.groups()).map(|throw| Column::real(format!("throw_{throw}_deg"))));
         if request.space.firing {

@@ -1,6 +1,7 @@
 //! A flexible crankshaft in its bearings over the cycle: mesh and laws from the engine file, gas and masses as everywhere, the crank train of `flex`.
 
 pub(crate) mod free;
+pub(crate) mod housed_law;
 pub(crate) mod laws;
 pub(crate) mod request;
 mod results;

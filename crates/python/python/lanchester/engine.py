@@ -894,6 +894,9 @@ class Engine:
     ) -> Exploration:
         """All layouts that the parts of this engine can make: the Pareto-optimal ones, and what became of all others.
 
+        An engine that is not one bank, or two alike, on one crankshaft (VR, W, radial, geared crankshafts) keeps its cylinders, rods and pins where they
+        are, unless `in_line` or `bank_angle` is given.
+
         Angles [rad] and lengths [m] are lists of what is looked at; `throw_angles` may be ``"every 30 deg"``; `even_firing`: ``True`` for layouts
         that fire evenly alone, or the tolerance of their intervals [rad]. ``result.adopt(n)`` is layout `n` of the front, from 0, as an engine.
 

@@ -77,6 +77,17 @@ pub enum ExploreError {
         /// The objective or constraint in words.
         what: String,
     },
+    /// A constraint on sizes that the search leaves as they are.
+    #[error(
+        "{what} needs pins and planes that are searched, and {engine} keeps its own in all layouts\nhint: leave this \
+         constraint out"
+    )]
+    FixedPins {
+        /// The constraint in words.
+        what: String,
+        /// Name of the engine.
+        engine: String,
+    },
     /// More Pareto-optimal layouts than are kept.
     #[error(
         "more than {most} layouts are on the front\nhint: ask for fewer objectives or a coarser resolution, or allow \

@@ -1,10 +1,11 @@
 //! The search: prepared once, run over any stretch of cases, merged in any order.
 
+use crate::explore::as_given::{ArrangedLoads, ArrangedView, Arrangement};
 use crate::explore::candidate::Candidate;
 use crate::explore::constraint::Constraint;
 use crate::explore::counts::{Counts, Invalid};
 use crate::explore::error::ExploreError;
-use crate::explore::firing::Firing;
+use crate::explore::firing::{Firing, FiringUnit};
 use crate::explore::front::{Front, Ranking};
 use crate::explore::kernel::{Block, UnitCylinder};
 use crate::explore::layout::{BankPair, Layout};
@@ -18,6 +19,7 @@ use lanchester_task::AtLeast;
 use serde::{Deserialize, Serialize};
 use std::cmp::Ordering;
 use std::f64::consts::TAU;
+use std::sync::Arc;
 
 /// Version of these structures; raised when a field changes its meaning or goes.
 pub const EXPLORATION_VERSION: u32 = 1;
@@ -134,8 +136,12 @@ pub struct Explorer {
     /// Cases that share all sizes, and all angles.
     pub(crate) per_block: u128,
     pub(crate) per_crank: u128,
-    /// One cylinder of each rod ratio; `None` where the crank cannot turn.
+    /// One cylinder of each rod ratio; `None` where the crank cannot turn, and for cylinders that stay where they are.
     units: Vec<Option<UnitCylinder>>,
+    /// The engine whose cylinders stay where they are, its loads with each pattern of weights, and its views.
+    arrangement: Option<Arc<Arrangement>>,
+    arranged_loads: Vec<ArrangedLoads>,
+    pub(crate) arranged_views: Vec<ArrangedView>,
     /// Angles of the throws: 0, then those of the list that are not 0.
     pub(crate) angles: Vec<f64>,
     /// Place in `angles` by place in the list, and back.
@@ -160,7 +166,16 @@ impl Explorer {
         let size = space.size(request.most_cases)?;
         check(&request)?;
         let radices = space.radices();
-        let unit = |ratio: &f64| match *ratio < 1.0 {
+        let arrangement = space.arrangement().cloned().map(Arc::new);
+        let arranged_loads = match &arrangement {
+            Some(own) => {
+                let loads = |pattern| ArrangedLoads::of(&space.parts, own, pattern);
+                space.counterweights.iter().map(loads).collect::<Result<Vec<_>, _>>()?
+            }
+            None => Vec::new(),
+        };
+        let arranged_views = arrangement.as_deref().map(ArrangedView::all).unwrap_or_default();
+        let unit = |ratio: &f64| match *ratio < 1.0 && arrangement.is_none() {
             true => UnitCylinder::new(&space.parts, *ratio).map(Some),
             false => Ok(None),
         };
@@ -186,6 +201,9 @@ impl Explorer {
             per_crank: radices[8],
             radices,
             units,
+            arrangement,
+            arranged_loads,
+            arranged_views,
             differences: DifferenceTable::new(&angles),
             angles,
             place,
@@ -288,17 +306,16 @@ impl Explorer {
         self.set_throws(case % self.per_block / self.per_crank, &mut throws);
         layout.throw_angles = throws.iter().map(|&throw| self.angles[throw as usize]).collect();
         if self.fires {
-            let (axes, leads) = (layout.bank_axes(), layout.pin_leads());
-            let mut firing = Firing::new(space.parts.strokes.revolutions(), space.groups());
-            firing.set_crank((0..space.cylinders).map(|index| {
-                let (bank, group) = (index / space.groups(), index % space.groups());
-                (layout.throw_angles[group] + leads[bank], axes[bank])
-            }));
+            let units = layout.firing_units();
+            let pin = |unit: &FiringUnit| layout.throw_angles[unit.group] + unit.lead;
+            let mut firing = Firing::new(space.parts.strokes.revolutions(), layout.neighbours());
+            firing.set_crank(units.iter().map(|unit| (pin(unit), unit.axis)));
             firing.set_code((case % self.per_crank) as u64);
             let cycle = TAU * f64::from(space.parts.strokes.revolutions());
-            let first = axes[0].rem_euclid(TAU);
-            layout.firing_angles =
-                Some(firing.angles().iter().map(|angle| (first + angle).rem_euclid(cycle)).collect());
+            let first = layout.first_firing();
+            let angles: Vec<f64> =
+                firing.angles().iter().map(|angle| (first + angle).rem_euclid(cycle)).collect();
+            layout.firing_angles = Some(layout.by_cylinder(angles));
         }
         Ok(layout)
     }
@@ -389,7 +406,7 @@ impl Explorer {
     pub(crate) fn sizes(&self, digits: &[usize; 7]) -> Layout {
         let space = &self.request.space;
         let banks = match &space.banks {
-            Banks::InLine => None,
+            Banks::InLine | Banks::AsGiven(_) => None,
             Banks::Two { bank_angles, split_angles, staggers } => Some(BankPair {
                 bank_angle: bank_angles[digits[1]],
                 split_angle: split_angles[digits[2]],
@@ -406,6 +423,7 @@ impl Explorer {
             shafts: space.shafts[digits[6]].clone(),
             throw_angles: vec![0.0; space.groups()],
             firing_angles: None,
+            arrangement: self.arrangement.clone(),
         }
     }
 
@@ -413,7 +431,10 @@ impl Explorer {
     pub(crate) fn invalid(&self, digits: &[usize; 7], layout: &Layout) -> Option<Invalid> {
         let parts = &self.request.space.parts;
         let several = layout.groups() > 1;
-        if self.units[digits[4]].is_none() {
+        if layout.arrangement.is_some() {
+            // What the engine of the file is made of fits.
+            None
+        } else if self.units[digits[4]].is_none() {
             Some(Invalid::RodTooShort)
         } else if several && layout.spacing < parts.web_distance + parts.web_thickness {
             Some(Invalid::WebsOverlap)
@@ -426,6 +447,9 @@ impl Explorer {
 
     /// The cranks of these sizes, prepared.
     pub(crate) fn block(&self, digits: &[usize; 7], layout: &Layout) -> Block {
+        if let Some(loads) = self.arranged_loads.get(digits[5]) {
+            return Block::of_arrangement(loads, layout.groups(), &self.angles);
+        }
         let unit =
             self.units[digits[4]].as_ref().expect("invariant: sizes of invalid geometry are not prepared");
         Block::new(&self.request.space.parts, unit, layout, &self.angles)
@@ -440,12 +464,25 @@ impl Explorer {
         orders
     }
 
+    /// Sum of the weights on the webs [kg m]: the same for every crank, since a weight turns with its throw.
+    pub(crate) fn counterweights(&self, digits: &[usize; 7], layout: &Layout) -> f64 {
+        if let Some(loads) = self.arranged_loads.get(digits[5]) {
+            return loads.counterweights;
+        }
+        let parts = &self.request.space.parts;
+        let weights = (0..layout.groups()).flat_map(|group| layout.web_weights(parts, group));
+        weights.map(|(_, weight)| weight.norm()).sum()
+    }
+
     /// An objective that depends on sizes alone.
     pub(crate) fn size_value(&self, objective: Objective, layout: &Layout) -> f64 {
         let parts = &self.request.space.parts;
         match objective {
             Objective::Length => length(layout, parts.end_length),
-            Objective::Height => parts.crank_radius + parts.crank_radius / layout.rod_ratio,
+            Objective::Height => match &layout.arrangement {
+                Some(arrangement) => arrangement.height(),
+                None => parts.crank_radius + parts.crank_radius / layout.rod_ratio,
+            },
             Objective::Shafts => layout.shafts.shafts.len() as f64,
             _ => 0.0,
         }
@@ -454,6 +491,9 @@ impl Explorer {
 
 /// Distance of the outermost cylinder axes, and the ends [m].
 fn length(layout: &Layout, ends: f64) -> f64 {
+    if let Some(arrangement) = &layout.arrangement {
+        return arrangement.length() + ends;
+    }
     let stagger = layout.banks.map_or(0.0, |pair| pair.stagger.abs());
     (layout.groups() as f64 - 1.0) * layout.spacing + stagger + ends
 }
@@ -488,6 +528,11 @@ fn check(request: &ExploreRequest) -> Result<(), ExploreError> {
         }
     }
     for constraint in &request.constraints {
+        let of_groups = matches!(constraint, Constraint::BearingRoom { .. } | Constraint::PinOverlap { .. });
+        if let Some(arrangement) = request.space.arrangement().filter(|_| of_groups) {
+            let (what, engine) = (constraint.name(), arrangement.name.clone());
+            return Err(ExploreError::FixedPins { what, engine });
+        }
         if constraint.level() == Level::Firing && !request.space.firing {
             return Err(ExploreError::FiringLeftOut { what: constraint.name() });
         }

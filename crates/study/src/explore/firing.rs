@@ -1,6 +1,7 @@
 //! When the cylinders of a crank fire: every cylinder at one of its top dead centres in the cycle.
 //!
-//! The cylinders are centred: cylinder j stands at top dead centre where its pin passes its axis, `tau_j = b_j - a_j`. In
+//! Cylinder j stands at top dead centre where its pin has a certain angle, `tau_j = b_j - a_j`: that of its axis where it is
+//! centred. In
 //! a four-stroke engine it fires in one of two revolutions, which is one bit of the firing code; cylinder 1 fires in the
 //! first. Angles here count from the firing of cylinder 1.
 
@@ -16,8 +17,37 @@ fn turned(angle: f64) -> f64 {
     if TAU - turned < SAME { 0.0 } else { turned }
 }
 
+/// What fires once a cycle: a cylinder, or the chamber of several pistons.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct FiringUnit {
+    /// Group whose throw drives it.
+    pub group: usize,
+    /// How far its pin stands ahead of the throw [rad].
+    pub lead: f64,
+    /// Angle of its pin at its top dead centre [rad].
+    pub axis: f64,
+}
+
+/// Which cylinders stand side by side in one bank.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum Neighbours {
+    /// Banks of so many cylinders, one after the other.
+    Banks(usize),
+    /// These pairs.
+    Pairs(Vec<[usize; 2]>),
+}
+
+impl Neighbours {
+    fn holds(&self, a: usize, b: usize) -> bool {
+        match self {
+            Neighbours::Banks(groups) => a / groups == b / groups && a.abs_diff(b) == 1,
+            Neighbours::Pairs(pairs) => pairs.contains(&[a, b]) || pairs.contains(&[b, a]),
+        }
+    }
+}
+
 /// Top dead centres of a crank, and the firings on it.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Firing {
     /// Top dead centres after that of cylinder 1 [rad], in [0, 2 pi), by cylinder.
     tops: Vec<f64>,
@@ -27,12 +57,13 @@ pub(crate) struct Firing {
     order: Vec<usize>,
     /// Length of a working cycle [rad].
     cycle: f64,
-    groups: usize,
+    neighbours: Neighbours,
 }
 
 impl Firing {
-    pub fn new(revolutions: u32, groups: usize) -> Firing {
-        Firing { cycle: TAU * f64::from(revolutions), groups, ..Firing::default() }
+    pub fn new(revolutions: u32, neighbours: Neighbours) -> Firing {
+        let cycle = TAU * f64::from(revolutions);
+        Firing { tops: Vec::new(), angles: Vec::new(), order: Vec::new(), cycle, neighbours }
     }
 
     /// Top dead centres of another crank: pins and axes by cylinder.
@@ -105,9 +136,8 @@ impl Firing {
     /// Successive firings of cylinders that stand side by side in one bank.
     pub fn neighbours(&self) -> usize {
         let count = self.order.len();
-        let side_by_side = |a: usize, b: usize| a / self.groups == b / self.groups && a.abs_diff(b) == 1;
         let pairs = if count > 2 { count } else { count.saturating_sub(1) };
-        (0..pairs).filter(|&k| side_by_side(self.order[k], self.order[(k + 1) % count])).count()
+        (0..pairs).filter(|&k| self.neighbours.holds(self.order[k], self.order[(k + 1) % count])).count()
     }
 
     /// The code of an equivalent firing, on a crank that looks the same from there: `from` is the

@@ -11,6 +11,7 @@
 //! ```
 //! `f_n`, `f_-n`, `T_n`, `R_n` are those of one cylinder on axis 0 with the crank at 0, from `lanchester-mechanism`.
 
+use crate::explore::as_given::ArrangedLoads;
 use crate::explore::layout::{Layout, cylinder, engine};
 use crate::explore::layout_orders::{LayoutOrders, ROW};
 use crate::explore::parts::Parts;
@@ -112,8 +113,26 @@ impl Block {
         }
     }
 
+    /// Prepares all cranks of an arrangement whose groups take `angles`.
+    pub fn of_arrangement(loads: &ArrangedLoads, groups: usize, angles: &[f64]) -> Block {
+        let row = |group| angles.iter().map(move |&angle| loads.orders_at(group, angle).row());
+        Block {
+            rows: (0..groups).flat_map(row).collect(),
+            angles: angles.len(),
+            turns: angles.iter().map(|&angle| Complex64::cis(angle)).collect(),
+            bending: loads.bending.clone(),
+            mains: loads.mains.clone(),
+            groups,
+        }
+    }
+
     /// Loads of one layout without shafts.
     pub fn of_layout(parts: &Parts, layout: &Layout) -> Result<LayoutOrders, LoadError> {
+        if let Some(arrangement) = &layout.arrangement {
+            let loads = ArrangedLoads::of(parts, arrangement, &layout.counterweights)?;
+            let block = Block::of_arrangement(&loads, layout.groups(), &layout.throw_angles);
+            return Ok(block.orders(&(0..layout.groups() as u16).collect::<Vec<u16>>()));
+        }
         let unit = UnitCylinder::new(parts, layout.rod_ratio)?;
         let block = Block::new(parts, &unit, layout, &layout.throw_angles);
         let throws: Vec<u16> = (0..layout.groups() as u16).collect();

@@ -1,8 +1,10 @@
 //! One case in physical terms, and as an engine.
 
+use crate::explore::as_given::Arrangement;
+use crate::explore::counterweight_pattern::CounterweightPattern;
+use crate::explore::firing::{FiringUnit, Neighbours};
 use crate::explore::parts::Parts;
 use crate::explore::shaft_set::ShaftSet;
-use crate::explore::space::CounterweightPattern;
 use lanchester_model::{
     Counterweight, Crankshaft, Cylinder, Engine, EngineParts, Ratio, Rod, RodJoint, RodMassRule, Rotation,
     SpeedRange, Strokes, Throw,
@@ -10,6 +12,7 @@ use lanchester_model::{
 use num_complex::Complex64;
 use serde::Serialize;
 use std::f64::consts::{PI, TAU};
+use std::sync::Arc;
 
 /// Widest V whose bisector is the x axis; beyond it x is the axis of bank 1 (book, "Conventions").
 const WIDEST_V: f64 = 170.0 * PI / 180.0;
@@ -21,11 +24,11 @@ pub struct Layout {
     pub case: u128,
     /// Cylinders: of two banks those of bank 1 first.
     pub cylinders: usize,
-    /// Distance of neighbouring groups [m].
+    /// Distance of neighbouring groups [m]; the mean where cylinders stay where they are.
     pub spacing: f64,
-    /// The two banks; `None` in line.
+    /// The two banks; `None` in line, and where cylinders stay where they are.
     pub banks: Option<BankPair>,
-    /// Crank radius over rod length.
+    /// Crank radius over rod length; the mean where rods stay what they are.
     pub rod_ratio: f64,
     /// Weights on the webs.
     pub counterweights: CounterweightPattern,
@@ -35,6 +38,10 @@ pub struct Layout {
     pub throw_angles: Vec<f64>,
     /// Crank angle [rad] in the cycle at which each cylinder fires, by its number; `None` where firing is left out.
     pub firing_angles: Option<Vec<f64>>,
+    /// The engine whose cylinders stay where they are; `None` in line and of two banks alike.
+    #[serde(skip)]
+    #[schemars(skip)]
+    pub arrangement: Option<Arc<Arrangement>>,
 }
 
 /// How two banks stand.
@@ -94,7 +101,7 @@ impl Layout {
             let angle = (angles[cylinder] - angles[0]).rem_euclid(cycle);
             if cycle - angle < 1e-6 { 0.0 } else { angle }
         };
-        let mut order: Vec<usize> = (0..angles.len()).collect();
+        let mut order: Vec<usize> = self.firing_cylinders();
         order.sort_by(|&a, &b| {
             let steps = |cylinder| (after(cylinder) * 1e6).round();
             steps(a).total_cmp(&steps(b)).then(a.cmp(&b))
@@ -102,10 +109,59 @@ impl Layout {
         Some(order.into_iter().map(|cylinder| cylinder + 1).collect())
     }
 
+    /// Cylinders that fire, from 0: of a chamber that pistons share the first.
+    fn firing_cylinders(&self) -> Vec<usize> {
+        match &self.arrangement {
+            Some(arrangement) => arrangement.chambers(),
+            None => (0..self.cylinders).collect(),
+        }
+    }
+
+    /// What fires once a cycle.
+    pub(crate) fn firing_units(&self) -> Vec<FiringUnit> {
+        if let Some(arrangement) = &self.arrangement {
+            let chambers = arrangement.chambers().into_iter().zip(&arrangement.top_dead_centres);
+            return chambers
+                .map(|(first, &axis)| FiringUnit { group: arrangement.group_of(first), lead: 0.0, axis })
+                .collect();
+        }
+        let banks = self.bank_axes().into_iter().zip(self.pin_leads());
+        banks
+            .flat_map(|(axis, lead)| (0..self.groups()).map(move |group| FiringUnit { group, lead, axis }))
+            .collect()
+    }
+
+    /// Top dead centre of cylinder 1 in the first revolution [rad].
+    pub fn first_firing(&self) -> f64 {
+        let first = self.firing_units()[0];
+        (first.axis - (self.throw_angles[first.group] + first.lead)).rem_euclid(TAU)
+    }
+
+    /// Numbers of chambers as numbers of cylinders: all pistons of a chamber have its own.
+    pub(crate) fn by_cylinder(&self, by_chamber: Vec<f64>) -> Vec<f64> {
+        let Some(arrangement) = &self.arrangement else { return by_chamber };
+        let firsts = arrangement.chambers();
+        let chamber = |index: usize, first: Option<usize>| {
+            firsts.partition_point(|chamber| *chamber < first.unwrap_or(index))
+        };
+        let pistons = arrangement.cylinders.iter().enumerate();
+        pistons.map(|(index, piston)| by_chamber[chamber(index, piston.chamber)]).collect()
+    }
+
+    /// Which of [`Layout::firing_units`] stand side by side.
+    pub(crate) fn neighbours(&self) -> Neighbours {
+        let Some(arrangement) = &self.arrangement else { return Neighbours::Banks(self.groups()) };
+        let chambers = arrangement.chambers();
+        let unit = |cylinder| chambers.partition_point(|first| *first < cylinder);
+        Neighbours::Pairs(arrangement.neighbours().into_iter().map(|pair| pair.map(unit)).collect())
+    }
+
     /// Largest difference of a firing interval from the even one [rad]; `None` where firing is left out.
     pub fn unevenness(&self, strokes: Strokes) -> Option<f64> {
         let cycle = TAU * f64::from(strokes.revolutions());
-        let mut angles = self.firing_angles.clone()?;
+        let all = self.firing_angles.as_ref()?;
+        let mut angles: Vec<f64> =
+            self.firing_cylinders().into_iter().map(|cylinder| all[cylinder]).collect();
         angles.sort_by(f64::total_cmp);
         let even = cycle / angles.len() as f64;
         let next = angles.iter().skip(1).copied().chain([angles[0] + cycle]);
@@ -138,6 +194,17 @@ impl Layout {
 
     /// The layout without its shafts as an engine.
     pub(crate) fn bare_engine(&self, parts: &Parts) -> Engine {
+        if let Some(arrangement) = &self.arrangement {
+            let firing = self.firing_angles.as_ref();
+            let by_chamber: Option<Vec<f64>> =
+                firing.map(|all| self.firing_cylinders().into_iter().map(|cylinder| all[cylinder]).collect());
+            return arrangement.engine(
+                parts,
+                &self.counterweights,
+                &self.throw_angles,
+                by_chamber.as_deref(),
+            );
+        }
         let (axes, leads, places) = (self.bank_axes(), self.pin_leads(), self.bank_places());
         let split = self.has_split_pins();
         let (mut throws, mut on_throw) = (Vec::new(), vec![0; self.cylinders]);

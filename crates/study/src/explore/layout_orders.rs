@@ -1,6 +1,7 @@
 //! First- and second-order loads of a layout, and the row of numbers that they are summed in.
 
 use crate::explore::objective::Sense;
+use lanchester_results::OrderLoads;
 use num_complex::Complex64;
 use serde::Serialize;
 
@@ -56,6 +57,18 @@ impl LayoutOrders {
     /// Part of the couple of `order` (1 or 2) in one sense [N m].
     pub fn couple_of(&self, order: u32, sense: Sense) -> Complex64 {
         self.couple[order as usize - 1][sense as usize]
+    }
+
+    /// Adds loads of orders 1 and 2.
+    pub(super) fn add(&mut self, orders: [&OrderLoads; 2]) {
+        for (index, loads) in orders.into_iter().enumerate() {
+            self.force[index][0] += loads.force_forward;
+            self.force[index][1] += loads.force_backward;
+            self.couple[index][0] += loads.couple_forward;
+            self.couple[index][1] += loads.couple_backward;
+            self.roll_moment[index] += loads.roll_moment;
+            self.shaft_torque[index] += loads.shaft_torque;
+        }
     }
 
     /// Adds a force in plane `z` that turns with the crank at order 1.

@@ -2,12 +2,15 @@
 //!
 //! A [`Space`] is a product of lists. Its cases are numbered, and number and case determine each other, so that a run may
 //! be cut anywhere and memory does not grow with the number of cases. Layouts that are equivalent by symmetry are one
-//! (symmetry). [`Explorer`] judges cases; [`Exploration`] is what is known so far.
+//! (symmetry). [`Explorer`] judges cases; [`Exploration`] is what is known so far. Engines that are not one bank, or two alike, are
+//! searched with their cylinders where they are ([`Arrangement`]).
 
 mod answer;
+mod as_given;
 mod candidate;
 mod choice;
 mod constraint;
+mod counterweight_pattern;
 mod counts;
 mod durability;
 mod error;
@@ -29,9 +32,11 @@ mod symmetry;
 mod walk;
 
 pub use answer::{ExploreAnswer, FoundLayout, GivenEngine, JudgedBy};
+pub use as_given::{Arrangement, ArrangementError};
 pub use candidate::Candidate;
 pub use choice::Choice;
 pub use constraint::Constraint;
+pub use counterweight_pattern::CounterweightPattern;
 pub use counts::{Broken, Counts, Invalid, InvalidCount};
 pub use error::ExploreError;
 pub use explorer::{EXPLORATION_VERSION, Exploration, ExploreRequest, Explorer, Run};
@@ -42,4 +47,4 @@ pub use objective::{Objective, Sense};
 pub use parts::Parts;
 pub use sample::JudgedCase;
 pub use shaft_set::{Removes, ShaftDesign, ShaftSet};
-pub use space::{Banks, ChoiceCount, CounterweightPattern, Space, even_angles};
+pub use space::{Banks, ChoiceCount, Space, even_angles};

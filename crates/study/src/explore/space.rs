@@ -3,7 +3,9 @@
 //! A case number is a number in mixed radix; its digits are, from the slowest to the fastest: spacing, bank angle, split
 //! angle, bank stagger, rod ratio, counterweights, shafts, the angle of each throw but the first, the firing order.
 
+use crate::explore::as_given::Arrangement;
 use crate::explore::choice::Choice;
+use crate::explore::counterweight_pattern::CounterweightPattern;
 use crate::explore::error::ExploreError;
 use crate::explore::parts::Parts;
 use crate::explore::shaft_set::ShaftSet;
@@ -28,7 +30,7 @@ pub struct Space {
     pub parts: Parts,
     /// Number of cylinders, at most 32.
     pub cylinders: usize,
-    /// One bank or two.
+    /// One bank, two, or the cylinders of an engine as they are.
     pub banks: Banks,
     /// Angles that each throw may have, from the first throw in the sense of rotation [rad]; the first stands at 0. Of a
     /// pair on split pins it is the pin of bank 1.
@@ -61,23 +63,8 @@ pub enum Banks {
         /// How far bank 2 stands behind bank 1 along the crank [m].
         staggers: Vec<f64>,
     },
-}
-
-/// Weights on the crank webs, by what they answer.
-///
-/// The weight of a web stands opposite the throws of its group and has half of `rotating` times the rotating unbalance
-/// (crank and big ends) and `reciprocating` times the reciprocating mass times crank radius of the group: 1 and 0 on all
-/// webs balance each throw in itself, 0.5 and 0 half of it, 1 and 0.5 are a balance factor of 50 %.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
-pub struct CounterweightPattern {
-    /// What the user calls it.
-    pub name: String,
-    /// Share of the rotating unbalance.
-    pub rotating: f64,
-    /// Share of the reciprocating mass.
-    pub reciprocating: f64,
-    /// Whether each web has its weight, from the free end, two webs a group; `None`: all have.
-    pub webs: Option<Vec<bool>>,
+    /// Cylinders, rods, pins and crankshafts of an engine as they are: throw angles, firing, weights and shafts are chosen.
+    AsGiven(Box<Arrangement>),
 }
 
 /// A choice and how many values it has.
@@ -132,23 +119,44 @@ impl Size {
 }
 
 impl Space {
-    /// Banks: 1 or 2.
+    /// Cylinders of a group along the crank: 1 or 2; of engines as they are, where groups differ, 1.
     pub fn bank_count(&self) -> usize {
         match self.banks {
-            Banks::InLine => 1,
+            Banks::InLine | Banks::AsGiven(_) => 1,
             Banks::Two { .. } => 2,
         }
     }
 
-    /// Groups along the crank: cylinders of one bank.
+    /// Groups along the crank, each with an angle of its own: cylinders of one bank, or those of [`Arrangement`].
     pub fn groups(&self) -> usize {
-        self.cylinders / self.bank_count()
+        match &self.banks {
+            Banks::AsGiven(arrangement) => arrangement.groups(),
+            Banks::InLine | Banks::Two { .. } => self.cylinders / self.bank_count(),
+        }
+    }
+
+    /// The arrangement of an engine as it is.
+    pub fn arrangement(&self) -> Option<&Arrangement> {
+        match &self.banks {
+            Banks::AsGiven(arrangement) => Some(arrangement),
+            Banks::InLine | Banks::Two { .. } => None,
+        }
+    }
+
+    /// What fires once a cycle: cylinders, or the chambers that they share.
+    pub(crate) fn chambers(&self) -> usize {
+        self.arrangement().map_or(self.cylinders, |arrangement| arrangement.chambers().len())
+    }
+
+    /// Webs that may have a weight.
+    fn webs(&self) -> usize {
+        2 * self.arrangement().map_or(self.groups(), |arrangement| arrangement.throws.len())
     }
 
     /// Values of a choice; throw angles and firing as powers.
     fn values(&self, choice: Choice) -> (u128, u32) {
         let (bank_angles, split_angles, staggers) = match &self.banks {
-            Banks::InLine => (1, 1, 1),
+            Banks::InLine | Banks::AsGiven(_) => (1, 1, 1),
             Banks::Two { bank_angles, split_angles, staggers } => {
                 (bank_angles.len(), split_angles.len(), staggers.len())
             }
@@ -164,7 +172,7 @@ impl Space {
             Choice::Shafts => list(self.shafts.len()),
             Choice::ThrowAngles => (self.throw_angles.len() as u128, self.groups() as u32 - 1),
             Choice::Firing if self.firing && self.parts.strokes == Strokes::Four => {
-                (2, self.cylinders as u32 - 1)
+                (2, self.chambers() as u32 - 1)
             }
             Choice::Firing => list(1),
         }
@@ -237,7 +245,7 @@ impl Space {
             distinct(Choice::Stagger, staggers, "bank stagger [m]", "finite", |_| true)?;
         }
         for (place, pattern) in self.counterweights.iter().enumerate() {
-            let needed = 2 * self.groups();
+            let needed = self.webs();
             if let Some(webs) = pattern.webs.as_ref().filter(|webs| webs.len() != needed) {
                 return Err(ExploreError::Webs { place: place + 1, needed, got: webs.len() });
             }

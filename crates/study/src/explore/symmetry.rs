@@ -11,13 +11,13 @@
 //! form a group of 4 elements, 8 for flat engines; an orbit may leave the space where its lists are not symmetric themselves. The
 //! case of lowest number stands for all that lie in the space.
 
-use crate::explore::shaft_set::{Removes, ShaftDesign};
+use crate::explore::shaft_set::{Removes, ShaftDesign, ShaftSet};
 use crate::explore::space::{Banks, Space, same_angle};
 use num_complex::Complex64;
 use std::f64::consts::PI;
 
 /// Planes and axes closer than this [m] are one.
-const SAME_PLACE: f64 = 1e-9;
+pub(crate) const SAME_PLACE: f64 = 1e-9;
 
 /// A view from another side.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -103,38 +103,68 @@ impl View {
             }
             (place.re, place.im)
         };
-        let seen = space.shafts[index].seen(self.ends, turn);
-        let plain = |x: f64, y: f64| (x, y);
-        let own = |place: usize| space.shafts[place].seen(false, plain);
-        if alike(&seen, &own(index)) {
-            return Some(index);
-        }
-        (0..space.shafts.len()).find(|&place| alike(&seen, &own(place)))
+        seen_shafts(&space.shafts, index, self.ends, turn)
     }
 
-    /// Throw angles as this view has them, as places in the list of angles: `difference` is the place of the difference
-    /// of two, with place 0 for angle 0. `false` where an angle is not in the list.
-    pub fn throws(self, throws: &[u16], difference: &DifferenceTable, seen: &mut [u16]) -> bool {
-        let last = throws.len() - 1;
-        for group in 0..throws.len() {
-            let from = if self.ends { last - group } else { group };
-            let first = if self.ends { throws[last] } else { throws[0] };
-            let (a, b) = if self.mirror { (first, throws[from]) } else { (throws[from], first) };
-            match difference.of(a, b) {
-                Some(place) => seen[group] = place,
-                None => return false,
-            }
+    /// Which group and which cylinder stands, from here, where each stood.
+    pub fn renumbering(self, groups: usize, banks: usize) -> Renumbering {
+        Renumbering {
+            mirror: self.mirror,
+            groups: (0..groups).map(|group| if self.ends { groups - 1 - group } else { group }).collect(),
+            cylinders: (0..groups * banks).map(|index| self.cylinder(index, groups, banks)).collect(),
         }
-        true
     }
 
     /// The cylinder that stands, from here, where cylinder `index` stood.
-    pub fn cylinder(self, index: usize, groups: usize, banks: usize) -> usize {
+    fn cylinder(self, index: usize, groups: usize, banks: usize) -> usize {
         let (bank, group) = (index / groups, index % groups);
         let group = if self.ends { groups - 1 - group } else { group };
         let bank = if banks == 2 && self.exchanges_banks() { 1 - bank } else { bank };
         bank * groups + group
     }
+}
+
+/// How a view numbers groups and cylinders.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Renumbering {
+    /// In a mirror: throw angles negated, time reversed.
+    pub mirror: bool,
+    /// The group that stands, from there, where each group stood.
+    pub groups: Vec<usize>,
+    /// The cylinder (or chamber) that stands, from there, where each stood.
+    pub cylinders: Vec<usize>,
+}
+
+impl Renumbering {
+    /// Throw angles as the view has them, as places in the list of angles: `difference` is the place of the difference
+    /// of two, with place 0 for angle 0. `false` where an angle is not in the list.
+    #[inline]
+    pub fn throws(&self, throws: &[u16], difference: &DifferenceTable, seen: &mut [u16]) -> bool {
+        let first = throws[self.groups[0]];
+        for (own, &from) in seen.iter_mut().zip(&self.groups) {
+            let (a, b) = if self.mirror { (first, throws[from]) } else { (throws[from], first) };
+            match difference.of(a, b) {
+                Some(place) => *own = place,
+                None => return false,
+            }
+        }
+        true
+    }
+}
+
+/// Place in `sets` of set `index` as a view has it: from the other end or not, each axis moved by `turn`.
+pub(crate) fn seen_shafts(
+    sets: &[ShaftSet],
+    index: usize,
+    ends: bool,
+    turn: impl Fn(f64, f64) -> (f64, f64),
+) -> Option<usize> {
+    let seen = sets[index].seen(ends, turn);
+    let own = |place: usize| sets[place].seen(false, |x: f64, y: f64| (x, y));
+    if alike(&seen, &own(index)) {
+        return Some(index);
+    }
+    (0..sets.len()).find(|&place| alike(&seen, &own(place)))
 }
 
 /// Whether two sets are the same shafts, in any order.

@@ -5,14 +5,14 @@ use crate::explore::constraint::Constraint;
 use crate::explore::counts::Counts;
 use crate::explore::error::ExploreError;
 use crate::explore::explorer::Explorer;
-use crate::explore::firing::Firing;
+use crate::explore::firing::{Firing, FiringUnit};
 use crate::explore::front::{Front, Ranking};
 use crate::explore::kernel::Block;
 use crate::explore::layout::Layout;
 use crate::explore::layout_orders::LayoutOrders;
 use crate::explore::objective::{Level, Objective, Sense};
 use crate::explore::sample::{JudgedCase, Sample};
-use crate::explore::symmetry::View;
+use crate::explore::symmetry::{Renumbering, View, seen_shafts};
 
 /// What is known of a stretch of cases.
 pub(crate) struct Found {
@@ -24,7 +24,7 @@ pub(crate) struct Found {
 
 /// A view whose sizes lie in the space, at or below the number of the block itself.
 struct Seen {
-    view: View,
+    renumbering: Renumbering,
     sizes: [usize; 7],
 }
 
@@ -38,6 +38,8 @@ pub(crate) struct Walk<'a> {
     /// Places of the throws in the list of angles.
     throws: Vec<u16>,
     image: Vec<u16>,
+    /// Whether each view leaves the crank as it is: it may still tell firings alike.
+    still: Vec<bool>,
     firing: Firing,
     values: Vec<f64>,
     steps: Vec<i64>,
@@ -51,8 +53,7 @@ struct Sizes {
     block: Block,
     digits: [usize; 7],
     seen: Vec<Seen>,
-    axes: Vec<f64>,
-    leads: Vec<f64>,
+    units: Vec<FiringUnit>,
 }
 
 impl<'a> Walk<'a> {
@@ -66,7 +67,11 @@ impl<'a> Walk<'a> {
             sample: Sample::default(),
             throws: vec![0; space.groups()],
             image: vec![0; space.groups()],
-            firing: Firing::new(space.parts.strokes.revolutions(), space.groups()),
+            still: Vec::new(),
+            firing: Firing::new(
+                space.parts.strokes.revolutions(),
+                explorer.sizes(&explorer.size_digits(0)).neighbours(),
+            ),
             values: vec![0.0; explorer.request.objectives.len()],
             steps: vec![0; explorer.request.objectives.len()],
             judged,
@@ -111,16 +116,31 @@ impl<'a> Walk<'a> {
 
     fn prepare(&self, digits: [usize; 7], layout: Layout) -> Sizes {
         let space = &self.explorer.request.space;
-        let seen = View::OTHERS
-            .into_iter()
-            .filter_map(|view| {
-                let sizes = view.sizes(space, &digits)?;
-                // A block of higher number has no say.
-                (sizes <= digits).then_some(Seen { view, sizes })
-            })
-            .collect();
-        let (axes, leads) = (layout.bank_axes(), layout.pin_leads());
-        Sizes { block: self.explorer.block(&digits, &layout), layout, digits, seen, axes, leads }
+        // A block of higher number has no say.
+        let seen = match &layout.arrangement {
+            None => View::OTHERS
+                .into_iter()
+                .filter_map(|view| Some((view, view.sizes(space, &digits)?)))
+                .filter(|(_, sizes)| *sizes <= digits)
+                .map(|(view, sizes)| Seen {
+                    renumbering: view.renumbering(space.groups(), space.bank_count()),
+                    sizes,
+                })
+                .collect(),
+            Some(_) => self
+                .explorer
+                .arranged_views
+                .iter()
+                .filter_map(|view| {
+                    let mut sizes = digits;
+                    sizes[5] = view.pattern(&space.counterweights, digits[5])?;
+                    sizes[6] = seen_shafts(&space.shafts, digits[6], view.ends, |x, y| view.place(x, y))?;
+                    (sizes <= digits).then(|| Seen { renumbering: view.renumbering.clone(), sizes })
+                })
+                .collect(),
+        };
+        let units = layout.firing_units();
+        Sizes { block: self.explorer.block(&digits, &layout), layout, digits, seen, units }
     }
 
     /// The first constraint on sizes that the layout breaks.
@@ -145,10 +165,10 @@ impl<'a> Walk<'a> {
     fn crank(&mut self, sizes: &Sizes, first: u128, codes: [u128; 2]) -> Result<(), ExploreError> {
         let count = codes[1] - codes[0];
         self.counts.cases += count;
-        // Views that leave the crank as it is: they may still tell firings alike.
-        let mut still: [Option<View>; 7] = [None; 7];
+        self.still.clear();
+        self.still.resize(sizes.seen.len(), false);
         for (place, seen) in sizes.seen.iter().enumerate() {
-            if !seen.view.throws(&self.throws, &self.explorer.differences, &mut self.image) {
+            if !seen.renumbering.throws(&self.throws, &self.explorer.differences, &mut self.image) {
                 continue;
             }
             let Some(order) = self.explorer.compare(&self.image, &self.throws) else { continue };
@@ -157,7 +177,7 @@ impl<'a> Walk<'a> {
                     self.counts.duplicates += count;
                     return Ok(());
                 }
-                std::cmp::Ordering::Equal => still[place] = Some(seen.view),
+                std::cmp::Ordering::Equal => self.still[place] = true,
                 std::cmp::Ordering::Greater => {}
             }
         }
@@ -165,12 +185,9 @@ impl<'a> Walk<'a> {
         let (explorer, constraints) = (self.explorer, &self.explorer.request.constraints);
         let fires = explorer.fires;
         if fires {
-            let (angles, throws, axes) = (&explorer.angles, &self.throws, &sizes.axes);
-            let leads = &sizes.leads;
-            let pins = axes.iter().zip(leads).flat_map(|(&axis, &lead)| {
-                throws.iter().map(move |&throw| (angles[throw as usize] + lead, axis))
-            });
-            self.firing.set_crank(pins);
+            let (angles, throws) = (&explorer.angles, &self.throws);
+            let pin = |unit: &FiringUnit| angles[throws[unit.group] as usize] + unit.lead;
+            self.firing.set_crank(sizes.units.iter().map(|unit| (pin(unit), unit.axis)));
         }
         let single = explorer.per_crank == 1;
         if !single {
@@ -182,9 +199,8 @@ impl<'a> Walk<'a> {
                 })
             });
             if let Some(broken) = broken {
-                let alike = (codes[0]..codes[1])
-                    .filter(|&code| self.is_duplicate(code as u64, &still))
-                    .count() as u128;
+                let alike = (codes[0]..codes[1]).filter(|&code| self.is_duplicate(code as u64, sizes)).count()
+                    as u128;
                 self.counts.duplicates += alike;
                 self.counts.broken[broken].cases += count - alike;
                 return Ok(());
@@ -201,7 +217,7 @@ impl<'a> Walk<'a> {
             };
         }
         for code in codes[0]..codes[1] {
-            if !single && self.is_duplicate(code as u64, &still) {
+            if !single && self.is_duplicate(code as u64, sizes) {
                 self.counts.duplicates += 1;
                 continue;
             }
@@ -223,11 +239,10 @@ impl<'a> Walk<'a> {
     }
 
     /// Whether a view that leaves the crank as it is turns the firing into one of lower code.
-    fn is_duplicate(&self, code: u64, still: &[Option<View>; 7]) -> bool {
-        let space = &self.explorer.request.space;
-        let (groups, banks) = (space.groups(), space.bank_count());
-        still.iter().flatten().any(|view| {
-            self.firing.code_seen(code, |index| view.cylinder(index, groups, banks), view.mirror) < code
+    fn is_duplicate(&self, code: u64, sizes: &Sizes) -> bool {
+        sizes.seen.iter().zip(&self.still).filter(|(_, still)| **still).any(|(seen, _)| {
+            let own = &seen.renumbering;
+            self.firing.code_seen(code, |index| own.cylinders[index], own.mirror) < code
         })
     }
 
@@ -266,12 +281,7 @@ impl<'a> Walk<'a> {
             Objective::InertiaTorque { order } => orders.shaft_torque[order as usize - 1].norm(),
             Objective::BendingMoment => sizes.block.bending_moment(&self.throws),
             Objective::MainLoad => sizes.block.main_load(&self.throws),
-            Objective::CounterweightUnbalance => {
-                // The same for every crank of the block: a weight turns with its throw.
-                let parts = &self.explorer.request.space.parts;
-                let weights = (0..sizes.layout.groups()).flat_map(|g| sizes.layout.web_weights(parts, g));
-                weights.map(|(_, weight)| weight.norm()).sum()
-            }
+            Objective::CounterweightUnbalance => self.explorer.counterweights(&sizes.digits, &sizes.layout),
             _ => 0.0,
         }
     }

@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 mod agreement;
+mod as_given;
 mod durability;
 mod known_layouts;
 mod scatter;

@@ -6,7 +6,7 @@ use lanchester_flex::FlexError;
 use lanchester_flex::train::{CycleInstant, TrainCycles, TrainLaw, run_cycles};
 
 fn largest(found: &TrainCycles, of: impl Fn(&CycleInstant) -> [f64; 2]) -> f64 {
-    found.recorded[0].instants.iter().map(|own| of(own)).map(|[x, y]| x.hypot(y)).fold(0.0, f64::max)
+    found.recorded[0].instants.iter().map(of).map(|[x, y]| x.hypot(y)).fold(0.0, f64::max)
 }
 
 fn off(a: &TrainCycles, b: &TrainCycles, of: impl Fn(&CycleInstant) -> [f64; 2]) -> f64 {

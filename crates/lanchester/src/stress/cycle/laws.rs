@@ -1,5 +1,6 @@
 //! Laws of the bearings from the engine file.
 
+use super::housed_law::HousedLaw;
 use super::train::Bearing;
 use crate::bearing_films::{
     ASSUMED_CLEARANCE, BearingFilms, BearingFilmsError, FilmMethod, bearing_films, model_of,
@@ -16,13 +17,6 @@ use std::sync::Arc;
 const CONTACT: f64 = 5e8;
 const BUSHING: f64 = 2e9;
 const DAMPING: f64 = 2e4;
-
-/// A law, and the stiffness of the housing behind it [N/m]; `None`: rigid, or part of the law.
-#[derive(Debug, Clone)]
-pub(crate) struct HousedLaw {
-    pub law: TrainLaw,
-    pub housing: Option<f64>,
-}
 
 /// Laws of all bearings, for every law asked for.
 pub(crate) struct BearingLaws {

@@ -1,6 +1,6 @@
 //! From an engine to the crank train of `flex`: bearings, rods, pistons, gas.
 
-use super::laws::HousedLaw;
+use super::housed_law::HousedLaw;
 use crate::pressure::cylinders::GasReport;
 use crate::stress::request::StressError;
 use crate::torque_report::bearing_sizes;
