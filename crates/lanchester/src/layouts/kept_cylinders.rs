@@ -1,8 +1,8 @@
 //! The space of layouts of an engine whose cylinders, rods and pins stay where they are.
 
-use crate::layouts::space::{
-    LayoutChoices, LayoutSpace, LayoutSpaceError, mean, none, own_pattern, parts, usual_angles,
-};
+use crate::layouts::choices::{LayoutChoices, none, own_pattern, usual_angles};
+use crate::layouts::layout_parts::{mean, parts};
+use crate::layouts::space_error::LayoutSpaceError;
 use lanchester_model::Engine;
 use lanchester_numerics::about_zero;
 use lanchester_study::explore::{Arrangement, Banks, Parts, Space, even_angles};
@@ -11,7 +11,8 @@ use std::f64::consts::TAU;
 /// Angles [rad] and planes [m] closer than this are one.
 const SAME: f64 = 1e-9;
 
-/// Throw angles, firing, weights and shafts of `engine`, which is not one bank, or two alike, for this `reason`.
+/// Throw angles, firing, weights and shafts of `engine`, which is not one bank, or two alike, for this `reason`, with what
+/// the user should know of it.
 ///
 /// # Errors
 /// [`LayoutSpaceError`] where a size is chosen that stays, or nothing is left to choose.
@@ -19,13 +20,17 @@ pub(crate) fn kept_cylinders(
     engine: &Engine,
     choices: &LayoutChoices,
     reason: &str,
-) -> Result<LayoutSpace, LayoutSpaceError> {
+) -> Result<(Space, Vec<String>), LayoutSpaceError> {
+    let has_webs = engine.throws.iter().all(|throw| throw.webs.is_some());
     let kept = [
         ("the number of cylinders", choices.cylinders.is_some()),
         ("the angle of split pins", choices.split_angles.is_some()),
         ("the stagger of banks", choices.staggers.is_some()),
         ("the spacing", choices.spacings.is_some()),
         ("the crank-to-rod ratio", choices.rod_ratios.is_some()),
+        ("the thickness of the webs", choices.web_thickness.is_some()),
+        ("the diameter of the crankpins", choices.pin_diameter.is_some()),
+        ("the distance of the webs", choices.web_distance.is_some() && has_webs),
     ];
     if let Some(&(choice, _)) = kept.iter().find(|(_, is_chosen)| *is_chosen) {
         let (engine, reason) = (engine.name.clone(), reason.to_owned());
@@ -35,7 +40,7 @@ pub(crate) fn kept_cylinders(
     let spacing = mean_spacing(engine);
     let webs = engine.throws.iter().find_map(|throw| throw.webs).map(|[front, rear]| rear - front);
     let web_distance = choices.web_distance.or(webs).unwrap_or(0.5 * spacing);
-    if choices.web_distance.is_none() && engine.throws.iter().any(|throw| throw.webs.is_none()) {
+    if choices.web_distance.is_none() && !has_webs {
         notes.push("webs stand half a spacing apart: the file does not say where they are".to_owned());
     }
     let arrangement = Arrangement::of(engine, web_distance).map_err(|error| LayoutSpaceError::Banks {
@@ -71,7 +76,7 @@ pub(crate) fn kept_cylinders(
         shafts,
         firing: !choices.without_firing,
     };
-    Ok(LayoutSpace { space, notes })
+    Ok((space, notes))
 }
 
 /// Equal parts of a turn that hold the even firing intervals, and the angles of the engine.

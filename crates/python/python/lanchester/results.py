@@ -8838,7 +8838,7 @@ class Layout(Record):
 
     @property
     def banks(self) -> BankPair | None:
-        """The two banks; `None` in line."""
+        """The two banks; `None` in line, and where cylinders stay where they are."""
         return self._of("banks", BankPair)  # type: ignore[no-any-return]
 
     @property
@@ -8863,7 +8863,7 @@ class Layout(Record):
 
     @property
     def rod_ratio(self) -> float:
-        """Crank radius over rod length."""
+        """Crank radius over rod length; the mean where rods stay what they are."""
         return self._get("rod_ratio")  # type: ignore[no-any-return]
 
     @property
@@ -8873,7 +8873,7 @@ class Layout(Record):
 
     @property
     def spacing(self) -> float:
-        """Distance of neighbouring groups [m]."""
+        """Distance of neighbouring groups [m]; the mean where cylinders stay where they are."""
         return self._get("spacing")  # type: ignore[no-any-return]
 
     @property
