@@ -3,7 +3,7 @@ use criterion::{Criterion, criterion_group, criterion_main};
 use lanchester_film::{
     Cavitation, DirectOrbit, DirectRequest, Feed, FilmGrid, FilmProblem, FilmSolver, FilmTable,
     FloatingShaft, JournalBearing, JournalCycle, JournalMotion, OrbitRequest, ShaftJournal, ShaftRequest,
-    journal_orbit,
+    TiltedMotion, journal_orbit, tilted_impedance,
 };
 use std::hint::black_box;
 
@@ -41,6 +41,18 @@ fn films(c: &mut Criterion) {
         b.iter(|| {
             angle += 0.01;
             black_box(table.impedance([0.8 * angle.cos(), 0.8 * angle.sin()], [0.01, 0.02]))
+        })
+    });
+    c.bench_function("film of a tilted journal with derivatives", |b| {
+        b.iter(|| {
+            angle += 0.01;
+            let motion = TiltedMotion {
+                eccentricity: [0.6 * angle.cos(), 0.6 * angle.sin()],
+                tilt: [0.2, 0.1],
+                closing: [0.01, 0.02],
+                closing_by_tilt: [0.0, 0.01],
+            };
+            black_box(tilted_impedance(0.4, &motion))
         })
     });
     c.bench_function("mobility by table", |b| {

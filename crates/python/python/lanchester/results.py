@@ -8939,17 +8939,24 @@ class LeastFilm(Record):
     """An oil film where it is thinnest over the cycle."""
 
     __slots__ = ()
-    _FIELDS = ("at_ends", "below_roughness", "largest_pressure", "quasi_static", "theta", "thickness", "viscosity",)
+    _FIELDS = ("at_ends", "below_roughness", "is_tilted", "largest_pressure", "quasi_static", "theta", "thickness", "viscosity",)
 
     @property
     def at_ends(self) -> float:
-        """Least thickness at the ends of the bearing, with the slope of the journal [m]; below 0 the slope is more than the parallel film of the law allows."""
+        """Least thickness at the ends of the bearing, with the slope of the journal [m]; below 0 the slope is more than a law allows that knows of no tilt, and one that knows of it lets the
+        surfaces touch.
+        """
         return self._get("at_ends")  # type: ignore[no-any-return]
 
     @property
     def below_roughness(self) -> float:
         """Share of the cycle in which the film is below three times the roughness [1]."""
         return self._get("below_roughness")  # type: ignore[no-any-return]
+
+    @property
+    def is_tilted(self) -> bool:
+        """Whether the law knows of tilt."""
+        return self._get("is_tilted")  # type: ignore[no-any-return]
 
     @property
     def largest_pressure(self) -> FloatArray | None:
@@ -8968,7 +8975,7 @@ class LeastFilm(Record):
 
     @property
     def thickness(self) -> float:
-        """Thickness in the middle of the bearing [m]."""
+        """Thickness in the middle of the bearing; of a law that knows of tilt at its ends [m]."""
         return self._get("thickness")  # type: ignore[no-any-return]
 
     @property

@@ -3,7 +3,7 @@
 use super::{LENGTH, SPEED, body, cylinder, film, options, periodic, pusher, swinging, tilted, train};
 use lanchester_film::{Cavitation, FilmGrid, FilmProblem, FilmSolver, JournalMotion};
 use lanchester_flex::FlexError;
-use lanchester_flex::train::{CycleInstant, TrainCycles, TrainLaw, run_cycles};
+use lanchester_flex::train::{CycleInstant, CycleOptions, TrainCycles, TrainLaw, run_cycles};
 
 fn largest(found: &TrainCycles, of: impl Fn(&CycleInstant) -> [f64; 2]) -> f64 {
     found.recorded[0].instants.iter().map(of).map(|[x, y]| x.hypot(y)).fold(0.0, f64::max)
@@ -81,10 +81,10 @@ fn tilted_films_keep_the_energy_and_their_bits() {
             |own: &CycleInstant| [0, 1].map(|k| own.main_places[0][k].abs() + own.tilts[0][0][k].abs());
         assert!(largest(&found, |own| own.tilts[0][0]) > 0.02 * 20e-6);
         assert_eq!(largest(&found, reach) > 20e-6, touches, "{}", largest(&found, reach));
-        if touches {
-            assert_eq!(run_cycles(&own, options()).unwrap(), found, "the same bits");
-        }
     }
+    let own = train(body.stiffened(15.0), tilted(20e-6), pusher(swinging(400.0, 0.6), TrainLaw::Rigid));
+    let run = || run_cycles(&own, CycleOptions { most_cycles: 1, ..options() }).unwrap();
+    assert_eq!(run(), run(), "the same bits");
 }
 
 #[test]
