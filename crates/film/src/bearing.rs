@@ -66,6 +66,12 @@ impl JournalBearing {
     }
 }
 
+/// Refuses a length over diameter that no bearing has.
+pub(crate) fn check_slenderness(slenderness: f64) -> Result<(), FilmError> {
+    let range = (0.02..=20.0).contains(&slenderness);
+    require(range, "length over diameter of a bearing", "0.02 to 20", slenderness)
+}
+
 /// Refuses a viscosity that no lubricant has.
 ///
 /// # Errors

@@ -8,7 +8,7 @@
 //! variables G stays of order one and smooth up to contact. Between the nodes G is bicubic (Hermite, slopes of order 4), so f and
 //! its derivatives come from the same polynomial. At eps = 0 the film knows no direction: there G = -k (cos g, sin g) exactly.
 
-use crate::bearing::{JournalBearing, JournalMotion};
+use crate::bearing::{JournalBearing, JournalMotion, check_slenderness};
 use crate::cavitation::Cavitation;
 use crate::error::{FilmError, require, require_film};
 use crate::grid::FilmGrid;
@@ -56,12 +56,7 @@ impl FilmTable {
     /// # Errors
     /// [`FilmError::Number`] for a length over diameter outside 0.02 to 20, or the mass-conserving film, whose force depends on its feeds.
     pub fn new(slenderness: f64, cavitation: Cavitation) -> Result<FilmTable, FilmError> {
-        require(
-            (0.02..=20.0).contains(&slenderness),
-            "length over diameter of a bearing",
-            "0.02 to 20",
-            slenderness,
-        )?;
+        check_slenderness(slenderness)?;
         require(
             cavitation != Cavitation::MassConserving,
             "models of cavitation in a table (mass-conserving films are solved directly)",

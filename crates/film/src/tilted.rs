@@ -12,8 +12,9 @@
 //! the discrete force, by the adjoint pressures of f and q.
 
 use crate::axial::{Axial, Block, Line, SHAPES, axial};
+use crate::bearing::check_slenderness;
 use crate::block_ring::{BlockRing, plus, times};
-use crate::error::{FilmError, require, require_film};
+use crate::error::{FilmError, require_film};
 use crate::grid::FilmGrid;
 use crate::plane::{Plane, add, dot, length};
 
@@ -123,12 +124,7 @@ struct Discrete {
 
 impl Discrete {
     fn new(slenderness: f64, motion: &TiltedMotion) -> Result<Discrete, FilmError> {
-        require(
-            (0.02..=20.0).contains(&slenderness),
-            "length over diameter of a bearing",
-            "0.02 to 20",
-            slenderness,
-        )?;
+        check_slenderness(slenderness)?;
         let (x, t) = (motion.eccentricity, motion.tilt);
         require_film(furthest(x, t))?;
         let axial = axial();

@@ -83,7 +83,7 @@ struct ImportQuestion {
     weight: String,
     /// Name of the drawing's file: its ending tells the form, DXF or SVG.
     name: String,
-    /// The drawing, as text: binary DXF is read by the command line.
+    /// The drawing: SVG, or DXF as text.
     drawing: String,
     /// What the outline encloses.
     encloses: Encloses,

@@ -11,7 +11,7 @@ use thiserror::Error;
 /// In which form a drawing stands in its file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum DrawingKind {
-    /// DXF, as text or binary.
+    /// DXF, as text.
     Dxf,
     /// SVG.
     Svg,

@@ -334,3 +334,67 @@ fn two_reductions_of_one_crankshaft_have_the_same_stress() {
         assert!(off.abs() < 2e-3, "{}: {off}", a.name());
     }
 }
+
+/// Widths, and what stands behind the shells.
+const HOUSED: &str = r#"
+[bearings.main]
+width = "22 mm"
+housing_stiffness = "1000 kN/mm"
+[bearings.crankpin]
+width = "24 mm"
+[bearings.film]
+viscosity = "10 mPa s"
+"#;
+
+#[test]
+fn films_that_feel_the_tilt_tell_the_film_at_the_ends_and_housings_yield() {
+    let engine = lanchester::file::read(&format!("{FILE}{HOUSED}")).engine().unwrap();
+    let laws = [CycleLaw::Bushing, CycleLaw::Film];
+    let asked = |tilt| CycleRequest { gas: false, rigid_crank: false, tilt, ..request(&laws) };
+    let told = |tilt| {
+        let found = crank_cycle(&engine, &[], &asked(tilt), &|_| true).unwrap();
+        assert!(found.is_sound(), "{tilt}");
+        found
+    };
+    let (parallel, tilted) = (told(false), told(true));
+    for (found, is_tilted) in [(&parallel, false), (&tilted, true)] {
+        // 1000 kN/mm behind the usual 2000.
+        let bushing = &run(found, CycleLaw::Bushing, CrankKind::Flexible).bearings;
+        assert!(bushing[0].law.contains("6.667e8 N/m"), "{}", bushing[0].law);
+        assert!(bushing[2].law.contains("2.000e9 N/m"), "{}", bushing[2].law);
+        for own in &run(found, CycleLaw::Film, CrankKind::Flexible).bearings {
+            let film = own.film.unwrap();
+            assert_eq!(
+                own.law.contains("housing 1.000e9 N/m"),
+                own.number <= 2 && own.name().starts_with("main")
+            );
+            assert_eq!(
+                (film.is_tilted, film.thickness == film.at_ends),
+                (is_tilted, is_tilted),
+                "{}",
+                own.name()
+            );
+        }
+        let left_out =
+            found.notes.iter().any(|note| note.contains("tilt of journals in the law of the film"));
+        assert_eq!(left_out, !is_tilted);
+    }
+    // A film that feels the tilt sets the journal upright.
+    let at_ends = |found: &CrankCycle| {
+        run(found, CycleLaw::Film, CrankKind::Flexible).bearings[0].film.unwrap().at_ends
+    };
+    assert!(at_ends(&tilted) > at_ends(&parallel), "{} {}", at_ends(&tilted), at_ends(&parallel));
+}
+
+#[test]
+fn tilt_without_films_of_guembel_is_refused() {
+    let refused = |text: &str, law: CycleLaw| {
+        let engine = lanchester::file::read(text).engine().unwrap();
+        let asked = CycleRequest { gas: false, tilt: true, ..request(&[law]) };
+        crank_cycle(&engine, &[], &asked, &|_| true).unwrap_err().to_string()
+    };
+    let said = refused(FILE, CycleLaw::Rigid);
+    assert!(said.contains("no bearing that is run has one") && said.contains("hint: tilt belongs"), "{said}");
+    let said = refused(&format!("{FILE}{HOUSED}cavitation = \"reynolds\"\n"), CycleLaw::Film);
+    assert!(said.contains("Guembel's") && said.contains("cavitation = \"gumbel\""), "{said}");
+}

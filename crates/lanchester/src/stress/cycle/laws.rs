@@ -149,8 +149,10 @@ fn build(
 ) -> Result<TrainLaw, StressError> {
     let clearance = 0.5 * place.data.diametral_clearance.unwrap_or(ASSUMED_CLEARANCE * place.diameter);
     // A housing that yields stands behind the bearing's own stiffness.
-    let yielding = stiffness_of_housing(place).map_or(0.0, |own| 1.0 / own);
-    let stiffness = |usual: f64| 1.0 / (1.0 / place.data.stiffness.unwrap_or(usual) + yielding);
+    let stiffness = |usual: f64| {
+        let own = place.data.stiffness.unwrap_or(usual);
+        stiffness_of_housing(place).map_or(own, |housing| 1.0 / (1.0 / own + 1.0 / housing))
+    };
     let damping = place.data.damping.unwrap_or(DAMPING);
     let refused = |error| StressError::Bearing { bearing: place.name(), error };
     Ok(match law_of(law, place) {

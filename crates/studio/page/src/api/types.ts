@@ -2635,7 +2635,7 @@ export type Hold = "speed" | "piston-speed";
 export type ImportQuestion = {
   /** Density with its unit; that of the present shape or of the crankshaft where it is left out. */
   density: string | null;
-  /** The drawing, as text: binary DXF is read by the command line. */
+  /** The drawing: SVG, or DXF as text. */
   drawing: string;
   /** What the outline encloses. */
   encloses: Encloses;
